@@ -30,17 +30,21 @@ def sentences(path):
 
 def comments(path):
     """Pairs of line and comment of a source of C++: lines that belong together are one, a trailing comment is one."""
-    found, open_at, words = [], 0, []
+    found, open_at, words, trails = [], 0, [], False
     for number, line in enumerate(path.read_text(encoding="utf-8").split("\n") + [""], 1):
         whole = re.match(r"\s*//[/!]?<?\s?(.*)", line)
         trailing = re.match(r"[^\"]*?\S[^\"]*?\s///?<?\s(.*)", line)
         if whole:
+            if words and trails and re.match(r"\s*///(?!<)", line):  # the comment of the next declaration
+                found.append((open_at, " ".join(words).strip()))
+                open_at, words, trails = 0, [], False
             open_at = open_at or number
             words.append(whole[1])
             continue
         if words:
             found.append((open_at, " ".join(words).strip()))
         open_at, words = (number, [trailing[1]]) if trailing and not trailing[1].startswith("namespace ") else (0, [])
+        trails = "///<" in line
     return [(line, text) for line, text in found if len(text.split()) > 1]
 
 

@@ -25,7 +25,7 @@ struct LabelledCell {
 /// Tolerance of the steppers that compute reference labels.
 inline constexpr double label_tolerance = 1e-11;
 
-/// Labels of the reference solver (reference_options at label_tolerance) for those cells at `places` that can
+/// Labels of the reference solver (reference_options at label_tolerance) for the cells at `places` that can
 /// run, that is, without initial contact and with a reachable unbalance.
 std::vector<LabelledCell> reference_labels(const model::Machine& machine,
                                            std::span<const scene::Place> places,
@@ -35,7 +35,7 @@ std::vector<LabelledCell> reference_labels(const model::Machine& machine,
 struct LabelAgreement {
   int compared = 0;
   int agreed = 0;    ///< cells with the same class and order
-  bool cut = false;  ///< the time was up before every cell was compared
+  bool cut = false;  ///< the time ended before every cell was compared
 };
 
 /// Runs the cells with `solver` until all are compared or `seconds` of processor time have passed. The order

@@ -196,11 +196,11 @@ std::optional<Real> LongDoubleRun::length_to_zero(const Contact& c, const contac
   };
   const bool rises = rate(0) > 0, rises_at_end = rate(length) > 0;
   if (guard(c, form, end) > 0) {
-    // A guard that falls first may have started at zero; its root lies after its minimum.
+    // A guard that falls at first may have started at zero; its root lies after its minimum.
     const Real bottom = !rises && rises_at_end ? root(rate, 0, length) : 0;
     return value(bottom) < 0 ? root(value, bottom, length) : 0;
   }
-  // A guard that rises and falls again may have been positive in between.
+  // A guard that rises and falls again may have been positive between the ends.
   if (!rises || rises_at_end) return {};
   const Real top = root([&](Real part) { return -rate(part); }, 0, length);
   if (value(top) <= 0) return {};

@@ -9,11 +9,11 @@
 
 namespace rubsweep::bench {
 
-/// Integrates a scene turn by turn in long double with simple, slow code; errors of the solvers in double are
-/// measured against it. It uses Runge-Kutta-Fehlberg 7(8) from Boost.Odeint inside each contact mode, and
+/// Integrates a scene turn by turn in long double with simple, slow code; the errors of the solvers in double
+/// are measured against it. It uses Runge-Kutta-Fehlberg 7(8) from Boost.Odeint inside each contact mode, and
 /// locates the ends of modes and pulses by a bracketing search over the step length. States are those of
-/// integrate::run::TurnReport::section. Matrices and contacts come from the scene; a test compares one rotor
-/// computed from its parameters alone, which checks the scene, too.
+/// integrate::run::TurnReport::section. Matrices and contacts come from the scene. To check the scene as
+/// well, a test compares one rotor that it computes from the parameters alone.
 class LongDoubleRun {
  public:
   using Real = long double;

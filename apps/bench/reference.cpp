@@ -39,7 +39,7 @@ LongDoubleRun::State long_double_section(const scene::Scene& scene, int turns, l
   return run.section();
 }
 
-/// Replaces the section in double by one in long double, where that can be computed.
+/// Replaces the section in double by a section in long double, if one can be computed.
 void use_long_double(const scene::Scene& scene, int turns, Reference& reference) {
   if (!LongDoubleRun::applies(scene) || scene.structure.coordinates() > most_long_double_coordinates) return;
   try {

@@ -10,8 +10,8 @@
 namespace rubsweep::bench {
 
 /// Section against which errors are measured. It is computed in long double where LongDoubleRun applies and
-/// the structure is small enough. Else it comes from the exact solver, and its distances from two other
-/// solvers in double estimate its error.
+/// the structure is small enough. Otherwise it comes from the exact solver, and its error is estimated by its
+/// distances from two other solvers in double.
 struct Reference {
   std::vector<double> section;  ///< scaled like TurnReport::section
   bool long_double = false;
@@ -36,7 +36,7 @@ inline constexpr int most_long_double_coordinates = 24;
 /// Tolerance of the steppers for all other references.
 inline constexpr double reference_tolerance = 1e-13;
 
-/// Options `base` changed for references. The exact solver is used wherever it applies; its turns without
+/// Options `base` changed for references. The exact solver is used wherever it applies. Its turns without
 /// closed form, and scenes to which it does not apply, are computed by rkf78 at `relative_tolerance` with
 /// every contact located.
 integrate::run::SolverOptions reference_options(integrate::run::SolverOptions base,

@@ -17,10 +17,10 @@ struct Variant {
   std::optional<double> relative_tolerance;  ///< empty where `stepper` is empty
 };
 
-/// The variants for one scene: first the exact solver, then adaptive ones, by stepper, contact handling and
-/// tolerance. The exact solver without a stepper is one variant. Where closed forms do not suffice for
-/// `turns` revolutions, one more variant follows for every stepper and tolerance that computes the other
-/// turns. No exact variant where it does not apply.
+/// The variants for one scene: first the exact solver (if it applies), then adaptive ones, by stepper,
+/// contact handling and tolerance. The exact solver without a stepper is one variant. Where closed forms do
+/// not suffice for `turns` revolutions, one more exact variant follows for every stepper and tolerance that
+/// computes the other turns.
 std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::run::SolverOptions& base,
                                  int turns, std::span<const integrate::run::Stepper> steppers,
                                  std::span<const double> relative_tolerances);

@@ -28,8 +28,8 @@ struct Measurement {
   integrate::run::Effort effort;  ///< work of one run of `turns` revolutions, or up to its failure
 };
 
-/// Runs every variant on `scene` once, then all of them again, so that a slow phase of the machine affects
-/// all alike. Processor time counts; that of a run includes its start, but not a factorisation that an
+/// Runs every variant on `scene` once, then all of them again, so that a slow phase of the computer affects
+/// all alike. Processor time is measured. It includes the start of a run, but not a factorisation that an
 /// earlier run left in a cache. `reference`: the section after `error_turns`.
 std::vector<Measurement> measure(const scene::Scene& scene, const integrate::run::SolverOptions& base,
                                  std::span<const Variant> variants, std::span<const double> reference,

@@ -8,7 +8,7 @@
 
 namespace rubsweep::apps {
 
-/// One key of a configuration, as a person asks for it. `N` in a path stands for any index of a list.
+/// One key of a configuration, as shown to a person. `N` in a path stands for any index of a list.
 struct KeyRow {
   std::string path;
   std::string unit, allowed, fallback, meaning,

@@ -12,7 +12,7 @@ namespace rubsweep::apps {
 /// Adds --keys and --schema, for programs that first read a kind of configuration.
 void add_key_questions(po::options_description& options);
 
-/// Answer to --keys, about all keys or those below the path given in place of the configuration file, or to
+/// Answer to --keys (all keys, or those below the path that stands in place of the configuration file) or to
 /// --schema; empty where neither is given. Throws UsageError.
 std::optional<std::string> key_answer(const po::variables_map& given, const config::keys::Form& configuration,
                                       std::string_view title);

@@ -197,7 +197,7 @@ class Writer {
     if (!key.fallback.empty()) said += ". Default: " + key.fallback;
     Json inner = value(key.form, path.empty() ? key.name : path + "." + key.name, part);
     if (part) inner = {{"anyOf", Json::array({std::move(inner), Json{{"type", "null"}}})}};
-    // Draft 7 ignores the keys beside a reference, so that the reference stands in an `allOf`.
+    // Draft 7 ignores keys that stand together with a reference, so the reference stands in an `allOf`.
     return {{"description", said}, {"allOf", Json::array({std::move(inner)})}};
   }
 

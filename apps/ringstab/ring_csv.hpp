@@ -13,8 +13,8 @@ namespace rubsweep::apps {
 /// A line beginning with `#` about units and signs.
 std::string ring_comments();
 
-/// CSV with speed_rpm, mode, real_per_s, imaginary_rad_per_s: every mode at every speed. Of a conjugate pair
-/// only the root with positive frequency is listed; a mode with two real roots has both.
+/// CSV with speed_rpm, mode, real_per_s, imaginary_rad_per_s: every mode at every speed. A conjugate pair is
+/// represented by its root with positive frequency; a mode with two real roots has two rows.
 std::string eigenvalues_csv(const ring::Track& track);
 
 /// CSV with kind, speed_rpm, modes (joined by " + "), note.

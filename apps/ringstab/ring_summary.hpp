@@ -14,7 +14,8 @@ namespace rubsweep::apps {
 /// speeds.
 std::string ring_summary(const ring::Study& study, const ring::Analysis& analysis);
 
-/// Speeds at which the model's assumption of steady contact and slip fails, according to the static state.
+/// Speeds at which the model's assumption fails that contact and slip never end, according to the static
+/// state.
 std::string validity_summary(const ring::Study& study, const std::vector<ring::StaticLoad>& loads);
 
 /// Lines of the chart that failed, and the shares of its points; empty without a chart.

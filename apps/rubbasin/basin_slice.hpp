@@ -12,7 +12,7 @@
 
 namespace rubsweep::apps {
 
-/// Two numbers of the initial state that a slice varies; the others are fixed.
+/// Two numbers of the initial state that vary over a slice; the others are fixed.
 struct SlicePlane {
   std::array<std::string, 2> names;           ///< column names with their units: x_m, vx_m_per_s, ...
   std::array<std::vector<double>, 2> values;  ///< horizontally (varying fastest) and vertically, ascending

@@ -10,11 +10,11 @@
 
 namespace rubsweep::apps {
 
-/// A number of the initial state, or a configuration key, that the command line names.
+/// A number of the initial state, or a configuration key, named on the command line.
 struct StartNumber {
   std::string key;                             ///< key of the configuration
   std::string column;                          ///< column of slice.csv: x_m, casing0_vx_m_per_s, or the key
-  std::optional<std::size_t> casing;           ///< index of the stop whose casing the number belongs to
+  std::optional<std::size_t> casing;           ///< index of the stop with this casing
   bool is_state = false, is_velocity = false;  ///< state of rotor or casing; both false: a configuration key
 };
 

@@ -49,7 +49,7 @@ std::vector<scene::Place> places_to_label(const sweep::Grid& grid, const Rubbenc
   return places;
 }
 
-/// Cell nearest to the centre of all labelled cells with a lasting rub, or of all cells where none rubs.
+/// Cell nearest to the centre of all labelled cells with a lasting rub; where none rubs, of all cells.
 scene::Place central_rub(const std::vector<scene::Place>& places,
                          const std::vector<bench::LabelledCell>& cells, std::size_t columns) {
   if (cells.empty()) throw ConfigError("no cell of the sweep can be kicked: nothing to measure");
@@ -78,8 +78,8 @@ scene::Scene scene_of(const sweep::Study& study, const scene::Place& place) {
   return std::move(cell.scene);
 }
 
-/// Least number of turns for proving a stable orbit. The proof has its own tight tolerance, whatever the
-/// run's is.
+/// Smallest number of turns in which a stable orbit can be proven. The proof has a tight tolerance,
+/// independent of that of the run.
 constexpr int turns_of_a_proof = 100;
 
 /// Time per revolution of the same stepper on the same cell at its tightest tolerance, in microseconds.
@@ -97,7 +97,7 @@ double tightest_us(const std::vector<bench::WorkPrecisionLine>& lines, const ben
   return time_us;
 }
 
-/// Labels by variant name: they belong to the whole map, not to the timed cell.
+/// Labels by variant name. They are compared over the whole map, not only in the timed cell.
 class Labels {
  public:
   Labels(const sweep::Study& study, const std::vector<bench::LabelledCell>& cells, double seconds)
@@ -157,7 +157,7 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
   auto measurements = bench::measure(scene, study.solver, variants, reference.section, arguments.work);
   working.reset();
   for (bench::Measurement& measurement : measurements) {
-    // Without long double the exact solver is the reference: its error is its distance from the other
+    // Without long double, the exact solver is the reference, and its error is its distance from the other
     // solvers.
     if (!reference.long_double && !measurement.variant.stepper && measurement.state_error)
       measurement.state_error = bench::uncertainty(reference);

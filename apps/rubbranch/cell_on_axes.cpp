@@ -14,8 +14,8 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Axes over configuration keys that the command line does not set: `open` ones have several values, `held`
-/// ones have a single value.
+/// Axes over configuration keys that the command line does not set. `open`: axes with several values; `held`:
+/// axes with a single value.
 struct KeyAxes {
   std::vector<const sweep::KeyAxis*> open, held;
 };

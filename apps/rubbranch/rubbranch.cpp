@@ -51,7 +51,7 @@ branch::orbits::OrbitProblem problem_of(const BranchFamily& family, branch::orbi
   return problem;
 }
 
-/// Adds, for every period doubling of a branch, the branch of double period where it is found.
+/// Adds, for every period doubling of a branch, the branch of double period, if it is found.
 void add_doubled(const BranchFamily& family, branch::orbits::Closing closing,
                  const branch::continuation::FollowOptions& options, const sweep::Study& study,
                  response::motion::Workspace& workspace,

@@ -13,7 +13,7 @@ struct RubbranchArguments : StudyArguments {
   int threads = 0;                 ///< number of threads, for a map
   bool fresh = false;              ///< discards results of an interrupted call, for a map
   CellValues cell_values = {};     ///< values given by --cell
-  CellArgument cell = {};          ///< cell that these values mean on the configuration's axes
+  CellArgument cell = {};          ///< cell at these values on the configuration's axes
   std::string along = {};          ///< speed_hz, whirl_ratio, eccentricity_m or a key as in --set
   std::optional<double> from = {}, to = {};
   std::string curve = {};  ///< second parameter, named like `along`; empty: no curves in two parameters

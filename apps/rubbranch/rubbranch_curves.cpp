@@ -12,7 +12,7 @@ namespace {
 
 using branch::continuation::EventKind;
 
-/// A branch that ends on one of half its period ends at a period doubling of that one.
+/// Where a branch ends on the branch of half its period, the event is a period doubling of that branch.
 branch::continuation::BranchEvent with_its_own_period(branch::continuation::BranchEvent event, int& order) {
   if (event.kind == EventKind::period_halving) {
     event.kind = EventKind::period_doubling;

@@ -77,7 +77,8 @@ config::RunConfig config_of_map(const fs::path& directory) {
   return config;
 }
 
-/// Files in the output directory from which the output is computed: those of the map, if it lies there.
+/// Files in the output directory from which the output is computed: those of the map, if it is in the same
+/// directory.
 std::vector<std::string> sources_beside(const fs::path& output, const fs::path& directory) {
   std::error_code none;
   if (fs::equivalent(output, directory, none)) return {"map.csv"};

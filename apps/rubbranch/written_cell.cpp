@@ -22,7 +22,7 @@ bool is_ratio(const std::string& parameter) {
   return parameter == to_string(sweep::UnbalanceMeasure::whirl_ratio);
 }
 
-/// Whether a key belongs to the machine; the other keys only say how motions are computed and evaluated.
+/// Whether a key belongs to the machine; other keys only control how motions are computed and evaluated.
 bool is_of_the_machine(const std::string& key) {
   const std::string first = key.substr(0, key.find('.'));
   constexpr std::array<std::string_view, 5> others{"sweep", "study", "solver", "response", "output"};
@@ -70,7 +70,7 @@ std::optional<scene::Cell> WrittenCell::with(const std::vector<Written>& all) co
   if (overrides.size() == arguments_.overrides.size())
     return scene::build_cell(*prepared_, speed_hz, unbalance);
   const auto config = config::read_run_config_text(text_, arguments_.config.string(), overrides);
-  // The machine is reduced for all speeds, like cells without an override: a branch needs the same
+  // The machine is reduced for all speeds, as for cells without an override, because a branch needs the same
   // coordinates everywhere.
   return scene::build_cell(scene::prepare_machine(config.study.machine), speed_hz, unbalance);
 }

@@ -26,7 +26,7 @@ class WrittenCell {
   WrittenCell(const RubbranchArguments& arguments, const config::RunConfig& config);
 
   /// The cell with these values; empty for an invalid speed or unbalance. Throws ConfigError where the
-  /// configuration may not have a number.
+  /// configuration does not allow a number.
   std::optional<scene::Cell> with(const std::vector<Written>& all) const;
 
   /// Scene of the cell; empty also where there is no such configuration or the cell cannot run.

@@ -59,7 +59,8 @@ std::vector<Series> series_of(const MeasuredData& data) {
 
 /// Sentence about the residuals of one of `of_series` series; empty where they are noise. In a run-up
 /// neighbouring residuals are always correlated, since its readings are interpolated and its marks smoothed.
-/// There a correlation is reported only if the correlated part exceeds the share of_run_ups of 1X.
+/// For a run-up, a correlation is therefore reported only if the correlated part exceeds the share of_run_ups
+/// of 1X.
 std::string doubt_of(const Series& series, std::span<const double> residuals, double size_m,
                      std::size_t of_series) {
   constexpr double level = 1e-3, of_run_ups = 0.03;
@@ -80,11 +81,11 @@ std::string doubt_of(const Series& series, std::span<const double> residuals, do
   return fmt::format("neighbours hang together, correlation {:.2f}", test.first_correlation);
 }
 
-/// Fewest rows of a series for which noise can be told from a misfit.
+/// Smallest number of rows of a series for which noise can be distinguished from a misfit.
 constexpr std::size_t fewest_to_test = 24;
 
-/// Line about a file whose residuals exceed a tenth of its size and are not noise. `doubted`: its residuals
-/// are not white.
+/// Line about a file whose residuals exceed a tenth of its size and are not noise. `doubted`: whether its
+/// residuals are not white.
 std::string too_much_left(const MeasuredData& data, const WhatIsLeft& left, bool doubted) {
   constexpr double too_much = 0.1;
   if (!(left.share() > too_much) || !doubted) return {};
@@ -186,7 +187,7 @@ FitTables tables_of(const MachineFit& problem, const MachineFitResult& result) {
 
 std::string comparison_text(const MachineFitResult& with, const MachineFitResult& less,
                             const std::string& without) {
-  // Levels 2, 6 and 10 of the difference by Kass and Raftery, J. Am. Stat. Assoc. 90 (1995).
+  // The levels 2, 6 and 10 of the difference are from Kass and Raftery, J. Am. Stat. Assoc. 90 (1995).
   const double difference = less.bic - with.bic;
   const char* words = difference > 10   ? "the data need it"
                       : difference > 6  ? "the data speak strongly for it"

@@ -18,8 +18,8 @@ struct FitTables {
 
 FitTables tables_of(const fit::MachineFit& problem, const fit::MachineFitResult& result);
 
-/// A sentence that compares the fit with one of the same data by fewer parameters, by Schwarz' criterion.
-/// `without`: names of the parameters left out.
+/// A sentence that compares, by Schwarz' criterion, the fit with another fit of the same data that has fewer
+/// parameters. `without`: names of the parameters left out.
 std::string comparison_text(const fit::MachineFitResult& with, const fit::MachineFitResult& less,
                             const std::string& without);
 

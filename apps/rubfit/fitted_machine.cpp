@@ -22,8 +22,8 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Names of parameters that are not configuration keys; other options give their values if they are not
-/// fitted.
+/// Names of parameters that are not configuration keys. If such a parameter is not fitted, an option gives
+/// its value.
 constexpr std::array<std::string_view, 4> own_names{fit::eccentricity_name, fit::mark_name, fit::hit_name,
                                                     fit::rate_name};
 
@@ -62,8 +62,8 @@ double drawn_in(const std::string& text, const std::string& key, double start, d
   return start + good * (bound - start);
 }
 
-/// Number under a key; for a list of one or several equal numbers, such as the damping ratios of all modes,
-/// this number.
+/// Number under a key. For a list of equal numbers, such as the damping ratios of all modes, it is this
+/// number.
 std::optional<double> start_of(const config::RunConfig& config, const std::string& key) {
   if (const auto number = config::number_at(config, key)) return number;
   const auto first = config::number_at(config, key + ".0");

@@ -35,7 +35,7 @@ namespace {
 constexpr std::array<std::string_view, 4> file_names{"config.yaml", "parameters.csv", "correlation.csv",
                                                      "fitted.csv"};
 
-/// Progress of a fit on a terminal. The number of steps is unknown in advance: a start takes about ten.
+/// Progress of a fit on a terminal. The number of steps is not known in advance; a start takes about ten.
 class Steps {
  public:
   explicit Steps(bool shown) : shown_(shown && isatty(STDERR_FILENO) != 0) {}
@@ -82,8 +82,8 @@ double left_of_tables(const fit::MachineFit& problem, const Eigen::VectorXd& val
   return most;
 }
 
-/// Chooses the phase convention of tables that fits best, if none is given and `sensor` fits badly. Returns
-/// the line that reports the convention; empty without tables.
+/// If no phase convention is given and `sensor` fits badly, chooses the convention of the tables that fits
+/// best. Returns the line that reports the convention; empty without tables.
 std::string choose_phases(const RubfitArguments& arguments,
                           const std::function<fit::MachineFitResult(const fit::MachineFit&, int)>& found,
                           FittedMachine& fitted, fit::MachineFitResult& result) {

@@ -12,7 +12,7 @@ namespace rubsweep::apps {
 inline constexpr int largest_cascade_order = 8;
 
 /// Tables of a line of cells, as texts. The column `pass` is kick, up or down. `value` is the parameter along
-/// the line, in the unit that its name gives.
+/// the line; its name contains its unit.
 struct LineTables {
   std::string line_csv;         ///< comments, then pass, value and the columns of map.csv
   std::string bifurcation_csv;  ///< pass, value, speed_hz, class, order, point, then x_m, y_m and velocities

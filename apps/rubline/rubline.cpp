@@ -105,7 +105,8 @@ sweep::Study study_at(const RublineArguments& arguments, const sweep::Study& stu
                       const config::LineKeys& keys, double value) {
   std::vector<sweep::KeyValue> held = keys.fixed;
   if (!keys.along.keys.empty()) {
-    // A value of the axis itself is restored to the last digit, so that the cell equals the one of the map.
+    // If the value lies on the axis, the exact number of the axis is used, so that the cell equals that of
+    // the map.
     const auto& own = keys.along.values;
     const auto same = std::ranges::find_if(own, [&](double place) { return keys.factor * place == value; });
     const double at = same == own.end() ? value / keys.factor : *same;
@@ -138,7 +139,7 @@ std::vector<line::LineCell> cells_of(const RublineArguments& arguments, const co
   return cells;
 }
 
-/// A line while it is computed: its finished cells can be written at any time.
+/// A line during its computation; its finished cells can be written at any time.
 class LineRun {
  public:
   LineRun(const RublineArguments& arguments, const config::RunConfig& config)

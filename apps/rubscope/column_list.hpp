@@ -6,9 +6,9 @@
 
 namespace rubsweep::apps {
 
-/// Listing of what was understood of a file: rows, sampling rate, and of every column its number, name,
-/// unit, range and first values; then what was left out and why, what was passed over, and what a description
-/// of the instrument has to say where the file does not.
+/// List of what was read from a file: rows, sampling rate, and number, name, unit, range and first values of
+/// every column; then the parts that were left out, with the reasons, and the entries that the description of
+/// the instrument must have because the file lacks them.
 std::string column_list(const recording::Channels& channels, const std::string& name);
 
 }  // namespace rubsweep::apps

@@ -27,10 +27,10 @@ struct Comparison {
 };
 
 /// Compares a simulated motion with a measured one that repeats. `simulated_m`: one period, equally spaced
-/// over `turns` turns. The mark does not tell where the unbalance is, so the angle between both motions is
-/// the one with the smallest sum of squares. Orders up to most_order count; a line that is missing in one
-/// motion is compared with 0. Needs noise_m > 0; with 0, differences are divided by the smallest positive
-/// double instead.
+/// over `turns` turns. The mark does not show where the unbalance is. The angle between both motions is
+/// therefore the one with the smallest sum of squares. Orders up to most_order are used; a line that is
+/// missing in one motion is compared with 0. Needs noise_m > 0; with 0, differences are divided by the
+/// smallest positive double instead.
 Comparison compare(const scope::Verdict& measured, std::span<const std::complex<double>> simulated_m,
                    int turns, bool plane);
 

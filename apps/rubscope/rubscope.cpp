@@ -9,6 +9,7 @@
 
 #include "rubscope/column_list.hpp"
 #include "rubscope/comparison.hpp"
+#include "rubscope/followed_line.hpp"
 #include "rubscope/scope_tables.hpp"
 #include "rubscope_arguments.hpp"
 #include "rubsweep/core/error.hpp"
@@ -62,7 +63,7 @@ int look(const RubscopeArguments& arguments) {
                           ? std::optional(config::read_cell_config(compared->config, compared->overrides))
                           : std::nullopt;
   if (config) ask("rubscope", config->questions, arguments.quiet);
-  const recording::ReadRecording read = recording::read_recording(file, arguments.instrument);
+  const recording::ReadRecording read = recording::read_recording(file, arguments.instrument, followed_turns);
   const recording::Recording& recording = read.recording;
   std::optional<WorkingTime> working(std::in_place, "rubscope", "looks at the recording", !arguments.quiet);
   count_in_summary("turns", static_cast<std::size_t>(recording.turns()));

@@ -13,7 +13,7 @@
 
 namespace rubsweep::apps {
 
-/// A cell of a configuration with whose motion the recording is compared.
+/// A cell of a configuration; the recording is compared with its motion.
 struct ComparedCell {
   std::filesystem::path config;
   std::vector<std::string> overrides;
@@ -26,7 +26,7 @@ struct RubscopeArguments : RecordingArguments {
   std::optional<ComparedCell> compared = {};
   model::ShownLengths shown = {};  ///< unit of lengths in the printed text
   std::optional<Figure> figure = {};
-  bool columns = false;  ///< list what the recording holds, and do nothing else
+  bool columns = false;  ///< only list the contents of the recording
 };
 
 /// Reads the command line. Throws UsageError (program.hpp).

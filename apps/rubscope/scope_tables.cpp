@@ -103,7 +103,7 @@ std::string period_text(const Verdict& verdict) {
   return text;
 }
 
-/// Text about doubts that remain because of noise and recording length.
+/// Text about what remains doubtful because of noise and recording length.
 std::string doubt_text(const Verdict& verdict, double mean_speed_hz, const model::ShownLengths& shown) {
   const auto line = [&](double amplitude_m) {
     return model::amplitude_text(amplitude_m, shown, LengthUnit::um, 2);
@@ -262,7 +262,7 @@ ScopeTables begin_tables(const Recording& recording, const std::vector<double>& 
 ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const std::vector<double>& orders,
                       const model::ShownLengths& shown) {
   const double mean_hz = recording.mean_speed_hz();
-  // A line measured by one probe has the noise of half as many numbers as with two.
+  // With one probe, the noise of a line comes from half as many numbers as with two probes.
   const double numbers = (recording.plane ? 1.0 : 2.0) * verdict.turns * samples_per_revolution;
   const double sample_noise_m = verdict.noise_m * std::sqrt(numbers);
   ScopeTables tables = begin_tables(recording, orders);

@@ -16,11 +16,11 @@ struct ScopeTables {
   std::string turns_csv;
   std::string
       orbit_csv;  ///< turns, x_m, y_m: the mean period from the mark on; empty where the speed changes
-  std::string lines_csv;  ///< order, amplitude_m, uncertainty_m, phase_deg, phase_uncertainty_deg; likewise.
-                          ///< Behind them line_order, line_order_uncertainty, line_amplitude_m,
-                          ///< line_amplitude_uncertainty_m: the line whose nearest bin this is, of a motion
-                          ///< without a period; else the line itself
-  std::string bode_csv;   ///< see waterfall.hpp, also for the next one
+  /// order, amplitude_m, uncertainty_m, phase_deg, phase_uncertainty_deg; empty where the speed changes. Then
+  /// line_order, line_order_uncertainty, line_amplitude_m, line_amplitude_uncertainty_m: in a motion without
+  /// a period, the line whose nearest bin this is; otherwise the line itself
+  std::string lines_csv;
+  std::string bode_csv;  ///< this member and the next one: see waterfall.hpp
   std::string waterfall_csv;
   std::string measures_csv;  ///< quantity, value, uncertainty
   std::string summary;

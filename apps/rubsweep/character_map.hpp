@@ -12,8 +12,8 @@
 
 namespace rubsweep::apps {
 
-/// A map made of characters, for a terminal: one per cell or, where there is not enough room, one per block
-/// of cells, taken from its middle cell. Memory: two bytes per cell.
+/// A map made of characters, for a terminal: one character per cell or, where there is not enough room, one
+/// per block of cells, taken from its middle cell. Memory: two bytes per cell.
 class CharacterMap {
  public:
   /// The grid must outlive it.

@@ -8,9 +8,9 @@
 
 namespace rubsweep::apps {
 
-/// Deals out chunks of cells to the workers of one map, numbered from 0. A refined map is computed in rounds:
-/// the cells of the next round are known when all cells of the present round are finished. A worker without
-/// work waits until then. Not for several threads at once.
+/// Gives chunks of cells to the workers of one map, which are numbered from 0. A refined map is computed in
+/// rounds: the cells of the next round are known only when all cells of the present round are finished. A
+/// worker without work waits until then. Only one thread at a time may use it.
 class ChunkRounds {
  public:
   /// `more`: further rounds may follow after these cells.

@@ -21,9 +21,9 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
 /// fading of a picture.
 void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study);
 
-/// Throws before anything is computed where the requested page or picture could not be made in the end.
-/// ConfigError: the map has more than two axes. IoError: the page cannot be written, or the program for it is
-/// missing.
+/// Throws, before anything is computed, where the requested page or picture could not be made in the end.
+/// ConfigError: the map has more than two axes. IoError: the page cannot be written, or the program that
+/// makes it is missing.
 void refuse_what_cannot_be_shown(const RubsweepArguments& arguments, const sweep::Study& study,
                                  const std::filesystem::path& directory);
 

@@ -39,7 +39,7 @@ MpiLeader::MpiLeader(MapJob& job, int ranks)
   const sweep::Grid& grid = study.grid;
   const std::size_t cells = job.directory->missing().size(), speeds = grid.speed_hz.size();
   log_.progress().expect({speeds, sweep::cell_count(grid) / speeds, job.directory->missing()});
-  // The first cells are spread over the whole map, to forecast the computing time for a reader of the
+  // The first cells are spread over the whole map, to predict the computing time for a reader of the
   // progress.
   if (log_.progress().say(report::describe_footprint(study, *job.prepared, {threads, ranks})))
     pilots_ = batch::pilot_count(cells, static_cast<std::size_t>(threads) * static_cast<std::size_t>(ranks));

@@ -52,7 +52,7 @@ class MpiLeader {
   /// Stops dealing out cells, and wakes up everybody who waits for another round.
   void give_up();
 
-  /// Starts the next round of a refined map once all ranks wait for it, and tells them if there is none.
+  /// Starts the next round of a refined map once all ranks wait for it; if there is none, informs them.
   /// Returns how many of the `workers` are done.
   int begin_round(int workers);
 

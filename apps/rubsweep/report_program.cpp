@@ -67,7 +67,7 @@ int write_report(std::string_view program, const RubsweepArguments& arguments,
                  const std::filesystem::path& directory) {
   const std::atomic<bool>& stop = catch_interrupts();
   if (stop) return say_interrupted(program);
-  // The child's lines must come after those printed here. If stdout fails, the child prints nothing.
+  // The child's lines must come after the lines printed here. If stdout fails, the child prints nothing.
   const int unprinted = std::fflush(stdout) != 0 ? errno : 0;
   std::vector<std::string> command{std::string(program), "--threads", std::to_string(arguments.threads),
                                    "--progress", progress_word(arguments.progress)};

@@ -113,8 +113,8 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
   std::optional<scene::PreparedMachine> prepared;
   std::vector<mpi::FinishedCell> finished;
   std::mutex mutex;  // guards the journal
-  // A rank inside a long cell can no longer report. It exits, which ends the MPI job, and the other ranks get
-  // a signal.
+  // A rank that computes a long cell cannot report. It exits instead, which ends the MPI job and sends the
+  // other ranks a signal.
   std::optional<Watch> watch(
       std::in_place,
       [&] {

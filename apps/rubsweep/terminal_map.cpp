@@ -49,8 +49,8 @@ std::string rubtrace_command(const std::filesystem::path& directory, const sweep
                      speed_option(grid, place.speed_hz), unbalance_option(grid, place.unbalance), keys);
 }
 
-/// Reads a map; returns whether neighbouring characters are neighbouring cells. A map whose rows were
-/// re-sorted is therefore not shown.
+/// Reads a map. Returns false where neighbouring characters would not be neighbouring cells, as in a map
+/// whose rows were re-sorted; such a map is not shown.
 bool read_map(const std::filesystem::path& path, const sweep::Grid& grid, CharacterMap& map) {
   batch::CsvReader rows(path);
   report::CellsOfRows cells(rows, grid);

@@ -16,8 +16,8 @@ struct UnfinishedCells {
   std::set<std::size_t> shards;    ///< numbers, from 1, of the shards with these cells
 };
 
-/// Cells of a complete map without a result; for a refined map, the next cells that its finished cells call
-/// for, because later ones are not known yet. `grid` belongs to the directory. Throws IoError.
+/// Cells of a complete map that have no result. For a refined map, the next cells that its finished cells
+/// require; later ones are not known yet. `grid` belongs to the directory. Throws IoError.
 UnfinishedCells unfinished_cells(const map::MapDirectory& directory, const sweep::Grid& grid);
 
 }  // namespace rubsweep::apps

@@ -58,7 +58,7 @@ struct Screen {
 };
 
 Screen look(const fs::path& directory) {
-  // Asked before the map is read, so that the last screen shows the end.
+  // Determined before the map is read, so that the last screen shows the finished map.
   const bool at_work = is_at_work(directory);
   const std::string status = map_status(directory);  // takes two seconds while a process works
   return {status, picture(directory), at_work};

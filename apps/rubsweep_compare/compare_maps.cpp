@@ -143,7 +143,7 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
                                   : std::vector<CellPlace>{};
   const std::vector<std::size_t> columns_a = report::key_columns(a, comparison.axis, comparison.keys);
 
-  // A map of an earlier version lacks the columns that were added later.
+  // A map of an earlier version lacks columns that were added later; these are not compared.
   std::vector<MapColumn> compared;
   for (const MapColumn& column : report::map_columns()) {
     if (!is_compared(column)) continue;

@@ -48,13 +48,13 @@ struct MapComparison {
 };
 
 /// Compares two files like map.csv cell by cell. Class and order must be equal. In cells that are at rest,
-/// synchronous or subharmonic in both maps, orbit and whirl must be equal, too. Every measured number must
-/// then agree within `tolerance` relative to the larger of both; lengths are compared relative to the cell's
-/// peak displacement. Numbers of motions that never repeat, and the length of transients, are not compared.
-/// `sensitive` is a table of cells to leave out, with the columns that identify a cell.
+/// synchronous or subharmonic in both maps, orbit and whirl must be equal, too. In these cells every measured
+/// number must also agree within `tolerance` relative to the larger of both; lengths are compared relative to
+/// the cell's peak displacement. Numbers of motions that never repeat, and the length of transients, are not
+/// compared. `sensitive` is a table of cells to leave out, with the columns that identify a cell.
 ///
-/// Measured columns that a map of another version lacks are left out. Throws IoError where a column that
-/// identifies a cell or its class is missing, a number is invalid, a cell occurs twice, the maps vary
+/// Measured columns that only one of two versions of maps has are left out. Throws IoError where a column
+/// that identifies a cell or its class is missing, a number is invalid, a cell occurs twice, the maps vary
 /// different keys, or a file cannot be read. The maps are read row by row; only places and results of the
 /// cells are kept in memory.
 MapComparison compare_maps(const std::filesystem::path& a, const std::filesystem::path& b, double tolerance,

@@ -28,7 +28,7 @@ std::string_view word_of(CellVerdict verdict) {
   return "";
 }
 
-/// File name without line breaks, for the head of a table.
+/// File name without line breaks, for the comments at the begin of a table.
 std::string line_of(const std::filesystem::path& path) {
   std::string text = path.string();
   std::ranges::replace_if(

@@ -6,7 +6,7 @@
 
 namespace rubsweep::apps {
 
-/// A gnuplot script, with its data inside, that draws where two maps differ. `terminal`: gnuplot's terminal
+/// A gnuplot script, with its data inside, that shows where two maps differ. `terminal`: gnuplot's terminal
 /// (pngcairo, svg); `output`: the picture's file, empty for standard output. Heading and output are quoted
 /// safely, so they cannot act as commands; control characters in the heading become '?'. Throws IoError where
 /// `output` has control characters, which gnuplot cannot write.

@@ -88,8 +88,8 @@ std::vector<line::LinePoint> steady_motions(const ramp::SpeedRamp& ramp, const s
   return points;
 }
 
-/// Runs up without a kick, and without an initial state unless that is at rest: only the unbalance brings the
-/// rotor to the wall.
+/// Runs up without a kick, so that only the unbalance brings the rotor to the wall. An initial state is used
+/// only if it is the state at rest.
 Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study, const model::ShownLengths& shown) {
   study.machine.kick.reset();
   if (!model::begins_at_rest(study.machine.start)) study.machine.start.reset();
@@ -137,8 +137,8 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   return outcome_of(tables_of(linear::free_response(machine, arguments.duration_s, sampling)));
 }
 
-/// Picture type for rubplot, and the heading. Speeds in rpm would make the heading too long, so they stand at
-/// the axis.
+/// Picture type for rubplot, and the heading. Speeds in rpm stand at the axis, because they would make the
+/// heading too long.
 std::pair<const char*, std::string> drawing_of(const RubtraceArguments& arguments) {
   if (arguments.campbell) return {"campbell", "Campbell diagram"};
   const ramp::SpeedRamp& ramp = arguments.run_up.value();

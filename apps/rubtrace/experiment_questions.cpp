@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "design_check.hpp"
+#include "rotor_report.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
@@ -41,6 +42,10 @@ AskedExperiment experiment_of(const RubtraceArguments& arguments, const sweep::S
   if (arguments.design_check) {
     const design::SpeedRange operating = operating_range(*arguments.design_check, study);
     return over_speeds("design check over the operating range, ", operating.from_hz, operating.to_hz);
+  }
+  if (arguments.rotor_report) {
+    const ReportSpeeds speeds = report_speeds(arguments, study);
+    return over_speeds("rotor report without the stops, ", speeds.shown.from_hz, speeds.shown.to_hz);
   }
   if (const auto& speeds = arguments.campbell) {
     structure::refuse_beyond_tables(study.machine, speeds->from_hz, speeds->to_hz);

@@ -106,7 +106,7 @@ ExperimentTables tables_of(const RunUp& run_up, const model::ShownLengths& shown
   for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
     const std::optional<double> top_hz = run_up.speed_of_largest_1x_hz[i];
     const double largest_m = run_up.largest_amplitude_m[i];
-    // Scripts still use the older name of this quantity, although it is a critical speed on slow ramps only.
+    // Scripts still use this older name, although the quantity is a critical speed only on slow ramps.
     if (top_hz) add(tables.identification_csv, "critical_speed_hz", i, *top_hz);
     if (top_hz) add(tables.identification_csv, "speed_of_largest_1x_hz", i, *top_hz);
     if (run_up.sees[i] && !run_up.bode[i].empty())

@@ -15,6 +15,7 @@
 #include "experiment_questions.hpp"
 #include "experiment_tables.hpp"
 #include "motion_summary.hpp"
+#include "rotor_report.hpp"
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
 #include "rubsweep/analysis/trace/probe.hpp"
@@ -104,7 +105,8 @@ std::vector<double> places_of_sensors(const model::Machine& machine) {
   return places;
 }
 
-/// Adds the readings of the probes; returns a text that compares their verdict with that of the section.
+/// Adds the readings of the probes. Returns a text that compares the period found from the probes with that
+/// of the section.
 std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
                            const sweep::Study& study, const model::ShownLengths& shown,
                            response::motion::Workspace& workspace, batch::ResultFiles& files) {
@@ -177,7 +179,7 @@ int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
   std::string summary = motion_summary(row, arguments.shown);
 
   // The cell runs a second time. The first run, which classifies, stops once the motion is proven and has
-  // other samples, so its steps are not those of a trace of all revolutions.
+  // other samples, so that its steps differ from those of a trace of all revolutions.
   const std::optional<double> secant_n = row.hertz ? std::optional(row.hertz->force_n) : std::nullopt;
   const scene::Cell cell =
       scene::build_cell(sweep::with_secant_of_row(prepared, secant_n), place.speed_hz, place.unbalance);
@@ -224,9 +226,11 @@ int perform(RubtraceArguments arguments) {
     const scene::Unbalance unbalance = unbalance_of(arguments.place, config.study.machine);
     ramp->eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;
   }
-  if (arguments.design_check || arguments.free_response || arguments.run_up || arguments.campbell) {
+  if (arguments.design_check || arguments.free_response || arguments.run_up || arguments.campbell ||
+      arguments.rotor_report) {
     return act(arguments, experiment_actions(arguments, config, [&] {
                  const fs::path directory = directory_of(arguments, config);
+                 if (arguments.rotor_report) return run_rotor_report(arguments, config, directory);
                  return arguments.design_check ? run_design_check(arguments, config, directory)
                                                : run_experiment(arguments, config, directory);
                }));

@@ -33,7 +33,8 @@ constexpr std::string_view examples =
     "/tmp/run_up.png\n"
     "  rubtrace configs/rotor_kit.yaml --campbell 0:400\n"
     "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5 --explain\n"
-    "  rubtrace configs/gallery/bearing_table.yaml --design-check --figure /tmp/design.png\n\n";
+    "  rubtrace configs/gallery/bearing_table.yaml --design-check --figure /tmp/design.png\n"
+    "  rubtrace configs/gallery/ross_rotor.yaml --rotor-report /tmp/rotor\n\n";
 
 constexpr std::string_view written_files =
     "Writes into DIR, stops counted from 0, times from the start of the kick, or of the run:\n"
@@ -73,7 +74,12 @@ constexpr std::string_view written_files =
     "(scaled, over the speed), lock_speeds.csv, kicks.csv and config.yaml. Its unbalance is --eccentricity-m "
     "or "
     "--unbalance-g-mm;\n"
-    "default: four times the residual one of API 617.\n\n";
+    "default: four times the residual one of API 617.\n"
+    "A rotor report writes rotor_report.html, a page with all pictures, and its tables: rotor_parts.csv, "
+    "static_line.csv,\n"
+    "bearing_loads.csv, critical_map.csv, bearing_stiffness.csv, stability.csv, deflected_shape.csv (at "
+    "--speed-hz; default:\n"
+    "the highest speed), report_notes.csv (what is left out and why), and those of a Campbell diagram.\n\n";
 
 po::options_description visible_options() {
   po::options_description options("Options");
@@ -98,7 +104,7 @@ po::options_description visible_options() {
       "design-check",
       "instead: vibration limit, clearances, dry whip, lock speeds and smallest kick over the operating "
       "range")("operating-hz", po::value<std::string>()->value_name("FROM:TO"),
-               "of --design-check: operating range; default: the speeds of the sweep")(
+               "of --design-check and --rotor-report: operating range; default: the speeds of the sweep")(
       "operating-rpm", po::value<std::string>()->value_name("FROM:TO"), "the same in revolutions per minute")(
       "kick-speeds", po::value<long>()->value_name("N")->default_value(11),
       "of --design-check: evenly spaced speeds at which kicks are tried, beside the lock speeds; 0: none")(
@@ -106,6 +112,10 @@ po::options_description visible_options() {
       "of --design-check, for each stage: impeller:KW:DENSITY_RATIO:DIAMETER_MM:WIDTH_MM or "
       "blades:KW:DIAMETER_MM:HEIGHT_MM, whose power drives cross-coupling; none: the rotor does no work")(
       "require-pass", "of --design-check: exit code 4 where the answer is not pass")(
+      "rotor-report", po::value<std::string>()->value_name("DIR"),
+      "instead: a page DIR/rotor_report.html with the rotor, Campbell diagram, stability, critical speed "
+      "map, "
+      "static line, deflected shape and modes, and their tables")(
       "duration-s", po::value<double>()->value_name("T")->default_value(2), "length of the free response")(
       "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
       "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
@@ -136,25 +146,19 @@ bool asks_for_probes(const po::variables_map& given) {
   return !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
 }
 
-/// Reads the arguments of the design check, and of that alone.
+/// Reads the arguments of the design check, and nothing else.
 void read_design_check(const po::variables_map& given, RubtraceArguments& arguments) {
-  const bool in_hz = given.count("operating-hz") != 0, in_rpm = given.count("operating-rpm") != 0;
   if (given.count("design-check") == 0) {
-    if (in_hz || in_rpm) throw UsageError("--operating-hz and --operating-rpm belong to --design-check");
+    if (!arguments.rotor_report && (given.count("operating-hz") != 0 || given.count("operating-rpm") != 0))
+      throw UsageError("--operating-hz and --operating-rpm belong to --design-check and --rotor-report");
     for (const char* name : {"stage", "require-pass"})
       if (given.count(name) != 0) throw UsageError(fmt::format("--{} belongs to --design-check", name));
     for (const char* name : {"kick-speeds", "threads"})
       if (!given[name].defaulted()) throw UsageError(fmt::format("--{} belongs to --design-check", name));
     return;
   }
-  if (in_hz && in_rpm) throw UsageError("--operating-hz and --operating-rpm exclude each other");
   DesignCheckArguments check;
-  if (in_hz || in_rpm) {
-    const char* option = in_hz ? "operating-hz" : "operating-rpm";
-    check.operating_option = fmt::format("--{}", option);
-    check.operating =
-        operating_range_of(option, given[option].as<std::string>(), in_hz ? 1 : model::rpm_per_hz);
-  }
+  read_operating(given, check);
   const long kick_speeds = given["kick-speeds"].as<long>();
   if (kick_speeds < 0 || kick_speeds > most_kick_speeds)
     throw UsageError(fmt::format("--kick-speeds: allowed: a number from 0 to {}", most_kick_speeds));
@@ -170,7 +174,8 @@ void refuse_options_of_others(const po::variables_map& given, const RubtraceArgu
   const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
   if (!sampled && !given["duration-s"].defaulted())
     throw UsageError("--duration-s belongs to --free-response");
-  const bool experiment = arguments.campbell || arguments.run_up || arguments.design_check;
+  const bool experiment =
+      arguments.campbell || arguments.run_up || arguments.design_check || arguments.rotor_report;
   if (!sampled && experiment && asks_for_probes(given))
     throw UsageError("--sample-s and --noise-m belong to a trace, --free-response or --run-up without stops");
 }
@@ -182,23 +187,29 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   if (given.count("campbell") != 0)
     arguments.campbell = campbell_speeds_of(given["campbell"].as<std::string>());
   arguments.with_stops = given.count("with-stops") != 0;
+  read_rotor_report(given, arguments);
   read_design_check(given, arguments);
   if (arguments.with_stops && !arguments.run_up) throw UsageError("--with-stops belongs to --run-up");
-  if (given.count("figure") != 0 && arguments.free_response)
+  if (given.count("figure") != 0 && (arguments.free_response || arguments.rotor_report))
     throw UsageError("--figure belongs to a trace, to --campbell, to --run-up or to --design-check");
   const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
   if (static_cast<int>(arguments.free_response) + arguments.run_up.has_value() +
           arguments.campbell.has_value() + arguments.design_check.has_value() >
       1)
     throw UsageError("--free-response, --run-up, --campbell and --design-check exclude each other");
+  if (arguments.rotor_report &&
+      (arguments.free_response || arguments.run_up || arguments.campbell || arguments.design_check))
+    throw UsageError("--rotor-report excludes --free-response, --run-up, --campbell and --design-check");
   arguments.duration_s = positive_number(given, "duration-s").value();
   arguments.sample_s = positive_number(given, "sample-s").value();
   arguments.noise_m = not_negative_number(given, "noise-m").value();
   refuse_options_of_others(given, arguments);
   arguments.probes = !sampled && asks_for_probes(given);
-  if (!arguments.free_response && !arguments.campbell && !arguments.run_up && !arguments.design_check)
+  if (!arguments.free_response && !arguments.campbell && !arguments.run_up && !arguments.design_check &&
+      !arguments.rotor_report)
     return false;
-  for (const char* name : {"speed-hz", "speed-rpm", "whirl-ratio", "revolutions", "last-revolutions"}) {
+  for (const std::string name : {"speed-hz", "speed-rpm", "whirl-ratio", "revolutions", "last-revolutions"}) {
+    if (arguments.rotor_report && name.starts_with("speed")) continue;  // of the deflected shape
     if (given.count(name) != 0)
       throw UsageError(fmt::format("--{} belongs to a trace, not to an experiment", name));
   }
@@ -209,7 +220,7 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
     }
     return true;
   }
-  if (arguments.design_check) return true;
+  if (arguments.design_check || arguments.rotor_report) return true;
   double duration_s = arguments.duration_s;
   if (auto& ramp = arguments.run_up) {
     if (!arguments.place.has_unbalance())

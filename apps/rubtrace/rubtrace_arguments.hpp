@@ -19,16 +19,25 @@ struct DesignCheckArguments {
   int kick_speeds = 11;
   int threads = 0;
   std::optional<std::vector<design::Stage>> stages = {};  ///< see design::LateralQuestions
-  bool require_pass = false;  ///< another answer than "pass" ends with exit code 4
+  bool require_pass = false;  ///< every answer except "pass" ends with exit code 4
+};
+
+/// Arguments of a rotor report, whose directory is the one of the results.
+struct RotorReportArguments {
+  std::optional<Figure> page = {};                   ///< the page; empty where nothing is computed
+  std::optional<design::SpeedRange> operating = {};  ///< empty: the speeds of the sweep
+  std::string operating_option = {};
 };
 
 struct RubtraceArguments : StudyArguments {
-  PlaceArguments place = {};                    ///< place of a trace; unbalance of a run-up or design check
-  bool free_response = false;                   ///< experiment in place of a trace: free vibration
+  PlaceArguments place = {};   ///< place of a trace; unbalance of a run-up or design check; speed and
+                               ///< unbalance of the deflected shape
+  bool free_response = false;  ///< experiment in place of a trace: free vibration
   std::optional<ramp::SpeedRamp> run_up = {};   ///< experiment in place of a trace: a run-up
   bool with_stops = false;                      ///< the run-up includes the stops
   std::optional<CampbellSpeeds> campbell = {};  ///< experiment in place of a trace: a Campbell diagram
   std::optional<DesignCheckArguments> design_check = {};
+  std::optional<RotorReportArguments> rotor_report = {};
   double duration_s = 2;   ///< duration of the free response
   double sample_s = 1e-3;  ///< sampling time of the sensors
   double noise_m = 0;

@@ -9,7 +9,7 @@ struct CellArgument {
   double speed_hz = 0, unbalance = 0;
 };
 
-/// Two numbers from the command line, before it is known which axes they belong to.
+/// Two numbers from the command line; the axes to which they belong are not known yet.
 struct CellValues {
   double first = 0, second = 0;
   bool by_minutes = false;  ///< the first number is a speed in rpm

@@ -28,7 +28,7 @@ std::string meant_instead_of(std::string_view given, const po::options_descripti
   std::vector<std::string_view> names;
   for (const auto& option : options.options()) {
     if (option->long_name() != "config")
-      names.push_back(option->long_name());  // except the file, which is given without a name
+      names.push_back(option->long_name());  // without the file, which is given without an option name
   }
   const auto meant = config::yaml::nearest(given, names);
   return meant ? fmt::format(" (did you mean '--{}'?)", *meant) : "";

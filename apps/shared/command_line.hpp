@@ -47,7 +47,7 @@ std::optional<double> positive_number(const po::variables_map& given, const char
 std::optional<double> not_negative_number(const po::variables_map& given, const char* name);
 
 /// Whether the option `name` is given, which replaces a run. It may be combined only with --quiet, --summary
-/// and the option `beside`. Throws UsageError.
+/// and the option `beside`. Throws UsageError for any other combination.
 bool asks_for(const char* name, const po::variables_map& given, std::string_view beside = "");
 
 /// The directory given by --verify.

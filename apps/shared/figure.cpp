@@ -63,9 +63,9 @@ void add_figure(po::options_description& options, const char* meaning) {
   options.add_options()("figure", po::value<std::string>()->value_name("FILE"), meaning);
 }
 
-Figure::Figure(fs::path file, const std::string& option) : file_(std::move(file)) {
-  const std::string kind = file_.extension();
-  if (kind != ".png" && kind != ".svg" && kind != ".pdf")
+Figure::Figure(fs::path file, const std::string& option, Kind kind) : file_(std::move(file)) {
+  const std::string ending = file_.extension();
+  if (kind == Kind::picture && ending != ".png" && ending != ".svg" && ending != ".pdf")
     throw UsageError(fmt::format("--{}: allowed: a name that ends with .png, .svg or .pdf", option));
   for (const auto& [command, package] :
        {std::pair("gnuplot", "gnuplot-nox"), std::pair("python3", "python3")}) {

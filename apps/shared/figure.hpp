@@ -11,13 +11,17 @@ namespace rubsweep::apps {
 
 void add_figure(po::options_description& options, const char* meaning);
 
-/// A figure of a program's results, drawn by rubplot: the installed copy in share/rubsweep/rubplot, else the
-/// one in the source tree.
+/// A figure of a program's results, drawn by rubplot: by the installed copy in share/rubsweep/rubplot, or
+/// else by the copy in the source tree.
 class Figure {
  public:
-  /// `file`, the value of --OPTION, must end with .png, .svg or .pdf, else UsageError. Throws IoError, before
-  /// anything is computed, where gnuplot, Python or rubplot are missing, or the file cannot be written.
-  Figure(std::filesystem::path file, const std::string& option);
+  /// A picture, or a page of HTML with several ones.
+  enum class Kind { picture, page };
+
+  /// A picture's `file`, the value of --OPTION, must end with .png, .svg or .pdf, else UsageError. Throws
+  /// IoError, before anything is computed, where gnuplot, Python or rubplot are missing, or the file cannot
+  /// be written.
+  Figure(std::filesystem::path file, const std::string& option, Kind kind = Kind::picture);
 
   const std::filesystem::path& file() const { return file_; }
 

@@ -26,14 +26,14 @@ class InterruptsWait {
   sigset_t before_;
 };
 
-/// Makes SIGINT and SIGTERM only set the returned flag, so that running cells can finish and are kept. A
-/// signal ignored at the program's start (nohup and the like) stays ignored.
+/// Makes SIGINT and SIGTERM only set the returned flag, so that running cells can finish and their results
+/// are kept. A signal ignored at the program's start (nohup and the like) stays ignored.
 const std::atomic<bool>& catch_interrupts();
 
 /// The signal that set the flag; 0 if none did.
 int caught_signal();
 
-/// Time that running cells get after a signal; they might need minutes.
+/// Time that running cells get after a signal. They are not awaited longer, because a cell may need minutes.
 constexpr std::chrono::milliseconds grace{500};
 
 /// Calls `tick` about ten times a second during its lifetime; once the grace time after a signal has passed,

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 bool is_written_by_a_program(const fs::path& file, const std::function<std::string()>& written) {
   try {
     return config::yaml::read_config_bytes(file) == written();
-  } catch (const ConfigError&) {  // the file is incomplete without the command line, so no program wrote it
+    // the file is incomplete without the command line, so none of these programs wrote it
+  } catch (const ConfigError&) {
     return false;
   }
 }

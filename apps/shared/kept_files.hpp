@@ -19,8 +19,8 @@ void keep_configuration(const std::filesystem::path& file, const std::filesystem
 void keep_run_configuration(const std::filesystem::path& file, const std::filesystem::path& directory);
 
 /// Directory for the results of a program that computes no map: --output, or the map's directory with this
-/// ending. Throws ConfigError where its config.yaml would replace the configuration that was read, or that of
-/// a map or a part of one.
+/// ending. Throws ConfigError where its config.yaml would replace the configuration that was read, or the
+/// configuration of a map or of a part of a map.
 std::filesystem::path results_directory(const StudyArguments& arguments, const std::filesystem::path& of_map,
                                         std::string_view ending);
 

@@ -18,7 +18,7 @@ struct SweepRun {
   bool quiet = false;
 };
 
-/// Prints how many cells were finished earlier, and computes the others. Empty if a signal came, else
+/// Prints how many cells were finished earlier, and computes the others. Empty if a signal came, otherwise
 /// map::MissingCells::left_to_others. If cells still run half a second after a signal, the process ends
 /// without them.
 std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const sweep::Study& study,

@@ -14,7 +14,7 @@ namespace rubsweep::apps {
 struct PlaceArguments {
   std::optional<double> speed_hz = {};
   std::optional<scene::Unbalance> unbalance = {};
-  std::optional<double> unbalance_g_mm = {};  ///< unbalance in g mm instead, divided by the mass later
+  std::optional<double> unbalance_g_mm = {};  ///< unbalance in g mm instead; divided by the mass later
 
   bool by_minutes = false;  ///< the speed was given in rpm
 
@@ -35,10 +35,10 @@ PlaceArguments read_place(const po::variables_map& given);
 /// where no disc of the rotor has an eccentricity.
 scene::Unbalance unbalance_of(const PlaceArguments& place, const model::Machine& machine);
 
-/// Stores the units of the command line, so that results are shown in them, too.
+/// Stores the units of the command line in the study, so that results are shown in these units, too.
 void keep_units(const PlaceArguments& place, sweep::Study& study);
 
-/// Throws UsageError where this machine may not have this speed, which `option` gave.
+/// Throws UsageError where this machine does not allow this speed, which `option` gave.
 void require_speed(std::string_view option, double speed_hz, const model::Machine& machine);
 
 /// Prints a question about an unlikely unbalance on the command line.

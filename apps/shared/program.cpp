@@ -59,8 +59,8 @@ void ask(std::string_view program, const std::vector<std::string>& questions, bo
 
 void open_standard_descriptors() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // open returns the smallest free number, which is the closed one. It is opened in the wrong direction, so
-    // that using it still fails.
+    // open() returns the smallest free number, which is that of the closed file. The file is opened in the
+    // wrong direction, so that reading or writing still fails.
     if (::fcntl(number, F_GETFD) < 0 && errno == EBADF)
       (void)!::open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
@@ -71,9 +71,10 @@ namespace {
 int run_guarded(std::string_view name, const std::function<int()>& body) {
   open_standard_descriptors();
   end_on_interrupts("");
-  // Exceeding a file-size limit then fails in the write call, with a message, and does not kill the program.
+  // If a file exceeds its size limit, the write call then fails with a message, instead of a signal that
+  // kills the program.
   std::signal(SIGXFSZ, SIG_IGN);
-  // Likewise for a closed pipe: a sweep must go on when nobody reads its progress any more.
+  // The same for a closed pipe: a sweep must continue when nobody reads its progress any more.
   std::signal(SIGPIPE, SIG_IGN);
   const auto complain = [name](const std::exception& error) {
     say(fmt::format("{}: {}\n", name, error.what()));
@@ -95,10 +96,10 @@ int run_guarded(std::string_view name, const std::function<int()>& body) {
   } catch (const LockedError& error) {
     complain(error);
     return directory_in_use;
-  } catch (const std::system_error& error) {  // from the file system or {fmt}
+  } catch (const std::system_error& error) {  // thrown by the file system or by {fmt}
     if (error.code() == std::errc::not_enough_memory) throw std::bad_alloc();
     if (error.code() == std::errc::broken_pipe)
-      return 128 + SIGPIPE;  // the reader has gone: same exit code as if the signal had ended us
+      return 128 + SIGPIPE;  // nobody reads any more: same exit code as if the signal had ended the program
     complain(error);
     return input_output;
   } catch (const std::bad_alloc&) {

@@ -36,8 +36,8 @@ void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
 void ask(std::string_view program, const std::vector<std::string>& questions, bool quiet);
 
 /// Opens /dev/null where standard input, output or error is closed. Otherwise a data file could get its
-/// number, and with it the printed text. Writing to such an output still fails. Programs call it first;
-/// run_program calls it, too.
+/// number, and printed text would be written to that file. Writing to such an output still fails. Programs
+/// call this function first; run_program calls it, too.
 void open_standard_descriptors();
 
 }  // namespace rubsweep::apps

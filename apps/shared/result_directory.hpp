@@ -6,9 +6,9 @@
 
 namespace rubsweep::apps {
 
-/// Makes the directory of results before they are computed, so that a failure costs no computing time.
-/// However the program ends, also by Ctrl-C, directories made for it do not remain empty. Only one object at
-/// a time.
+/// Makes the directory of results before the results are computed, so that a failure costs no computing time.
+/// However the program ends, also by Ctrl-C, directories made for it do not remain if they are empty. Only
+/// one object at a time.
 class ResultDirectory {
  public:
   /// `names`: the files that will be written there. Throws IoError where the directory cannot be made, or

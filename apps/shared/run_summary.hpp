@@ -7,7 +7,7 @@
 /// Prints one line of JSON at the end of a run, for scripts: --summary json.
 namespace rubsweep::apps {
 
-/// Requests the line; the time counts from the start of the program in any case.
+/// Requests the line; its time is measured from the start of the program in any case.
 void want_summary();
 bool summary_is_wanted();
 

@@ -35,7 +35,7 @@ StudyActions study_actions(std::string_view program, const StudyArguments& argum
                            const config::RunConfig& config, std::function<int()> run) {
   return {.size =
               [&, program] {
-                // This throws where the numbers give no structure that can be computed.
+                // Throws where no structure can be computed from the numbers.
                 const scene::PreparedMachine prepared = scene::prepare_machine(config.study.machine);
                 warn_of_premises(program, config.study, prepared);
                 ask_about_weak_kick(program, arguments, config.study, prepared);

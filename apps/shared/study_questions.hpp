@@ -9,8 +9,7 @@
 namespace rubsweep::apps {
 
 /// Answers to --check, --explain and --print-config for the cells of a study, with warnings and questions.
-/// `run` is what the program does without these options. Program, arguments and configuration must outlive
-/// it.
+/// `run`: action of the program without these options. Program, arguments and configuration must outlive it.
 StudyActions study_actions(std::string_view program, const StudyArguments& arguments,
                            const config::RunConfig& config, std::function<int()> run);
 

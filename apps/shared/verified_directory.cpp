@@ -33,12 +33,13 @@ constexpr std::string_view config_file = "config.yaml", labels_file = "labels.cs
 /// Head of a table.
 struct TableHead {
   std::string program, digest;
-  std::vector<std::string> files;  ///< files that were written with the table, or that it is made from
+  /// files that were written together with the table, or from which it was computed
+  std::vector<std::string> files;
 
   bool is_of(std::string_view name) const { return program.starts_with(std::string(name) + ' '); }
 
-  /// Whether the digest of the table is the digest of the study in config.yaml. A recording or a data set has
-  /// another one.
+  /// Whether the digest of the table is that of the study in config.yaml. (A recording or a data set has
+  /// another digest.)
   bool tells_the_study() const {
     return !is_of("rubscope") && !is_of("rubdiagnose") && !is_of("rubdata") && !is_of("rubsweep-compare");
   }
@@ -134,7 +135,8 @@ class Verification {
     }
   }
 
-  /// Checks a page. One without a checksum counts as ours only if it is the report of a map.
+  /// Checks a page. A page without a checksum counts as written by this program only if it is the report of a
+  /// map.
   void look_at_page(const std::string& name) {
     const bool of_map = name == report_page_file && has("map.csv");
     const CheckedPage checked = check_page_file(directory_ / name, of_map);
@@ -211,7 +213,7 @@ class Verification {
     if (summed && head.is_of("rubfit"))
       return fault(fmt::format("config.yaml: is not as it was written with {}", table));
     const bool of_this_version = head.program.ends_with(std::string(" ") + RUBSWEEP_VERSION);
-    // A later version may have keys that are missing in the digest of an earlier version.
+    // A later version may have keys that do not occur in the digest of an earlier version.
     if (!summed && (!of_this_version || head.is_of("rubfit"))) {
       remark(
           fmt::format("config.yaml: has digest {} by this version, {} is of {}: whether they belong together "
@@ -283,7 +285,8 @@ class Verification {
   std::map<std::string, std::set<std::string>, std::less<>> sums_;  ///< checksums of files, given by tables
   std::set<std::string, std::less<>> as_written_;                   ///< files whose digest agrees
   std::vector<std::string> pages_;                                  ///< pages that are undamaged
-  std::string page_;                                                ///< text of report.html, if it is ours
+  /// text of report.html, if this program wrote it
+  std::string page_;
   VerifiedConfiguration configuration_;
   std::string digest_;  ///< digest of the study that the files belong to
   DirectoryVerdict verdict_;

@@ -5,9 +5,9 @@
 
 namespace rubsweep::apps {
 
-/// Shows on a terminal that a program is working, and for how long, where the remaining work is unknown. It
-/// is a line on stderr, rewritten every second from two seconds on and removed by the destructor. Shows
-/// nothing where stderr is not a terminal, or where no thread can be started.
+/// Shows on a terminal that a program works, and for how long, where the remaining work is unknown. The line
+/// on stderr is rewritten every second from two seconds on, and removed by the destructor. Shows nothing
+/// where stderr is not a terminal, or where no thread can be started.
 class WorkingTime {
  public:
   /// Line such as "PROGRAM: WORK, 0:00:05"; `shown` is false with --quiet.

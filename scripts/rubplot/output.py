@@ -39,16 +39,33 @@ def targets(output, formats=None):
 
 def place(drawn, path):
     """Copies a picture to its name, whole or not at all; its directory is made."""
+    _replace(path, lambda partial: shutil.copyfile(drawn, partial))
+
+
+def place_text(text, path):
+    """Writes a text to its name likewise."""
+    _replace(path, lambda partial: _write(text, partial))
+
+
+def _write(text, path):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def _replace(path, write):
+    """Lets `write` fill a file beside `path`, which then gets its name."""
     directory = os.path.dirname(path)
     os.makedirs(directory, exist_ok=True)
     handle, partial = tempfile.mkstemp(prefix=".rubplot-", dir=directory)
     os.close(handle)
     try:
-        shutil.copyfile(drawn, partial)
+        write(partial)
         mask = os.umask(0)
         os.umask(mask)
         os.chmod(partial, 0o666 & ~mask)
         os.replace(partial, path)
-    except OSError:
+    except OSError as error:
         os.unlink(partial)
+        if error.filename in (None, partial):
+            raise OSError(error.errno, error.strerror, path) from None
         raise

@@ -69,6 +69,10 @@ expect_contains casing/slice.csv casing0_x_m,vx_m_per_s,attractor,label,status
 # Nor does how a map says what is robust.
 expect_exit 0 "$minimal" --cell 70,0.4 --plane vx,vy --grid 2x2 --output probable --quiet \
   --set response.robustness=probability --set response.robustness_neighbours=4
+# A state takes the place of a start at rest as it takes that of a kick.
+expect_exit 0 "$minimal" --cell 70,0.4 --plane vx,vy --grid 2x2 --output stated --quiet
+expect_exit 0 "$minimal" --cell 70,0.4 --plane vx,vy --grid 2x2 --output rested --quiet --set start=rest
+expect_same stated/slice.csv rested/slice.csv
 expect_exit 0 "$minimal" --cell 70,0.4 --plane kick.force_n,kick.angle_deg --grid 3x2 --from 50,60 --to 400,120 --output kicks
 expect_contains kicks/slice.csv kick.force_n,kick.angle_deg,attractor
 expect_contains kicks/map.csv ,kick,

@@ -7,8 +7,9 @@ namespace rubsweep::fuzz {
 
 /// Result for a configuration.
 enum class Ending {
-  refused,   ///< refused by the reader, which gives a place for every problem
-  no_plan,   ///< refusal by the preparation: numbers allowed each but not computable together
+  refused,  ///< refused by the reader, which gives a place for every problem
+  /// refused by the preparation: each number is allowed, but the cell cannot be computed with all of them
+  no_plan,
   evaluated  ///< evaluated to a row, whatever its status is
 };
 

@@ -66,7 +66,8 @@ TEST(HardCells, JustBelowOneItWhirlsWithoutContactUnlessTheSolversErrorGrazes) {
   Study study = study_of(scene::one_side_machine(), 75, 1 - 1e-3);
   study.machine.kick.reset();
   expect_row(study, {"non_contact", "ok"});
-  // If it misses the wall by much less than the tolerance, a graze in every turn is the same circle.
+  // A circle that misses the wall by much less than the tolerance cannot be distinguished from one that
+  // grazes in every turn.
   study.grid.unbalance = {1 - 1e-12};
   response::motion::Workspace workspace;
   const Row row = evaluate_cell(study, 0, workspace);

@@ -54,7 +54,8 @@ TEST_P(BothSolvers, GiveTheSameSection) {
   }
 }
 
-/// At most one of three cells may differ, if a change of the kick by 1e-6 changes its class, too.
+/// At most one of the three cells may differ, and only if a change of the kick by 1e-6 changes the class of
+/// this cell, too.
 TEST_P(BothSolvers, GiveTheSameClass) {
   sweep::Study adaptive = study_;
   study_.solver.method = integrate::run::Method::exact;

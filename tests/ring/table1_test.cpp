@@ -30,7 +30,7 @@ double last_merger_rpm(const std::vector<Change>& changes, bool growing) {
 TEST_P(Table1, CouplingSpeedsWithin03Rpm) {
   const NormalForm form = normal_form(spring_masses({60, GetParam().second_deg}));
   const auto changes = find_changes(form, batch::evenly_spaced(0.0, 1500 * rpm, 301));
-  // Where the decaying roots merge below the divergence speed, the paper gives the divergence speed.
+  // If the decaying roots merge below the divergence speed, the paper prints the divergence speed instead.
   const double divergence_rpm = 100 / rpm;
   EXPECT_NEAR(std::max(last_merger_rpm(changes, false), divergence_rpm), GetParam().first_rpm, 0.3);
   EXPECT_NEAR(last_merger_rpm(changes, true), GetParam().second_rpm, 0.3);

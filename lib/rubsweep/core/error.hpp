@@ -10,7 +10,7 @@ class ConfigError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An internal contract does not hold: an error of this program. Never thrown for a cell that merely fails to
+/// An internal contract is violated: an error of this program. Never thrown for a cell that merely fails to
 /// integrate; such a cell is a row with a status (see integrate/run/outcome.hpp).
 class SolverError : public std::logic_error {
   using std::logic_error::logic_error;

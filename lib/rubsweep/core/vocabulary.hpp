@@ -55,8 +55,8 @@ struct Words {
   std::array<Enum, count> values;
 };
 
-/// The words that `to_string` has for every value of an enumeration; without such a function the names that
-/// these have there.
+/// The words that `to_string` gives for every value of an enumeration; without such a function, the names of
+/// the enumerators.
 template <class Enum>
 constexpr auto words_of() {
   constexpr auto word = [](Enum value) -> std::string_view {

@@ -17,8 +17,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Names of the modes of the `count` eigenvalues with Im >= 0 nearest to `root`. Taken from the last tracked
-/// point before the speed, or from the first one after it.
+/// Names of the modes of the `count` eigenvalues with Im >= 0 nearest to `root`, at the last tracked point
+/// before the speed, or at the first one after it.
 std::vector<std::string> modes_at(const Track& track, double speed, Complex root, std::size_t count,
                                   bool before) {
   if (track.points.empty()) return {};
@@ -90,8 +90,8 @@ double nearest_real(const NormalForm& form, double speed, Complex place) {
       ->real();
 }
 
-/// Speeds of the track, and between them those at which a real part may touch zero and turn back, because the
-/// cubic through its values and slopes comes near zero.
+/// Speeds of the track, and further speeds between them at which a real part may touch zero and turn back.
+/// There the cubic through its values and slopes comes near zero.
 std::vector<double> speeds_to_search(const Track& track, const NormalForm& form) {
   std::vector<double> speeds{track.points.front().speed_rad_per_s};
   for (std::size_t p = 0; p + 1 < track.points.size(); ++p) {
@@ -191,7 +191,7 @@ std::vector<Onset> veerings(const Track& track, const NormalForm& form) {
       const auto f = neutral_frequencies(eigenvalues(form, *speed));
       if (f.empty()) continue;
       const double least = gap_at(f), mean = 0.5 * (f[k] + f[k + 1]);
-      // With a smaller gap the modes are uncoupled and simply cross.
+      // With a smaller gap the modes are uncoupled, and their frequencies simply cross.
       if (!(least < 0.25 * mean && least > 1e-6 * mean)) continue;
       onsets.push_back({"veering", *speed, modes_at(track, *speed, {0, mean}, 2, false),
                         fmt::format("gap {:.6g} rad/s at {:.6g} rad/s", least, mean)});
@@ -223,8 +223,8 @@ std::vector<Onset> describe_change(const Change& change, const Track& track, boo
   } else if (growing == 0 && pairs == 0 && decaying < 0) {
     add("real_merger", 2, true, "decaying, " + where);
   } else {
-    // The first growing root begins a divergence and the last one ends it; others only change the number of
-    // growing roots.
+    // The first growing root begins a divergence and the last one ends it; the other events only change the
+    // number of growing roots.
     const std::string roots = fmt::format("growing real roots from {} to {}", change.before.growing_real,
                                           change.after.growing_real);
     const bool plain = change.before.growing_real + change.after.growing_real == 1;

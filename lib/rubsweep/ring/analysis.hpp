@@ -41,8 +41,8 @@ struct Analysis {
 
 /// Analyses a system at `speeds_rad_per_s`, ascending and at least one. Onsets are sought between these
 /// speeds and further speeds that mode tracking adds. Two onsets between the same two speeds may be missed.
-/// Friction removes the couplings of pairs: coupling ranges and veerings are therefore those of the same
-/// system without friction, and are marked so.
+/// With friction, pairs do not couple. Coupling ranges and veerings are therefore those of the same system
+/// without friction, and are marked so.
 Analysis analyse(const System& system, const std::vector<double>& speeds_rad_per_s);
 
 }  // namespace rubsweep::ring

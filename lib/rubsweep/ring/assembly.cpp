@@ -31,7 +31,7 @@ void add_ring(Matrices& matrices, const Ring& ring) {
   matrices.softening.topLeftCorner<2, 2>() += a * n * n * Matrix2d::Identity();
 }
 
-/// Maps of one load: how its tip moves with X, and how its friction acts on X.
+/// Maps of one load: the motion of its tip due to X, and the force of its friction on X.
 struct LoadMaps {
   Eigen::MatrixXd tip;        ///< 2 x N: X to the tip's motion (u along the load, v across it)
   Eigen::RowVector2d inward;  ///< (u, v) to the tip's displacement along the inward normal
@@ -68,7 +68,7 @@ std::vector<Index> load_coordinates(const System& system) {
 
 void add_load(Matrices& matrices, const System& system, const Load& load, Index coordinate) {
   const LoadMaps maps = load_maps(system.ring, load, coordinate, matrices.coordinates());
-  // Forces of the load act on X through its tip. Through friction their normal component acts, too.
+  // The forces of the load act on X through its tip. Their normal component also causes friction.
   const Eigen::MatrixXd reach =
       maps.tip.transpose() - system.friction_coefficient * maps.friction * maps.inward;
   const auto add = [&](Eigen::MatrixXd& target, const Matrix2d& own) { target += reach * own * maps.tip; };
@@ -179,8 +179,8 @@ StaticLoad static_load(const System& system, double speed_rad_per_s) {
     const Eigen::Vector2d carried(stiffness(0) * tip(0) - speed2 * load.centrifugal_mass_kg * radius,
                                   stiffness(1) * tip(1));
     result.normal_n.push_back(maps.inward * carried + system.preload_n);
-    // The tip moves at Omega (R - u). The surface moves at Omega eta u, since the ring rotates through a wave
-    // that stands still.
+    // The tip moves at Omega (R - u). The surface moves at Omega eta u, because the wave stands still while
+    // the ring rotates through it.
     const double inward = maps.inward * tip;
     result.slip_m_per_s.push_back(speed_rad_per_s * (radius + (surface_ratio(system.ring) - 1) * inward));
   }
@@ -213,7 +213,8 @@ double zero_tolerance(const NormalForm& form) { return form.has_friction ? 1e-11
 
 Signature signature(const NormalForm& form, const Eigen::VectorXcd& values) {
   const double size = size_of(values), zero = zero_tolerance(form) * size;
-  // Equal real roots of uncoupled loads may be computed as a pair this close to the real axis.
+  // For uncoupled loads, two equal real roots may be computed as a pair that lies this close to the real
+  // axis.
   const double equal = 1e-7 * size;
   Signature counts;
   for (const std::complex<double>& value : values) {

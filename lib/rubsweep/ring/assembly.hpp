@@ -38,9 +38,9 @@ struct Matrices {
   Eigen::Index coordinates() const { return mass.rows(); }
 };
 
-/// Assembles the matrices, which are regular at every inclination: with q instead of the beam's own
-/// deflection v there is no tan(alpha). For |alpha| < 90 degrees eigenvalues are those of Appendix A (as
-/// corrected, see results/ring_findings.txt).
+/// Assembles the matrices. They are regular at every inclination: with q instead of the beam's deflection v
+/// there is no tan(alpha). For |alpha| < 90 degrees the eigenvalues are those of Appendix A (as corrected,
+/// see results/ring_findings.txt).
 Matrices assemble(const System& system);
 
 /// Quantities at one speed that the linear model assumes to be positive, one entry per load.
@@ -63,7 +63,7 @@ Eigen::VectorXcd eigenvalues(const NormalForm& form, double speed_rad_per_s);
 /// Eigenvalues, with their slopes and eigenvectors, which distinguish modes.
 struct Spectrum {
   Eigen::VectorXcd values;  ///< 1/s
-  /// d lambda / d Omega, from left and right eigenvectors; 0 where these are defective.
+  /// d lambda / d Omega, from left and right eigenvectors; 0 where the eigenvectors are defective.
   Eigen::VectorXcd slopes;
   Eigen::MatrixXcd vectors;  ///< columns (Y, Y') of the normal form, each of length 1
 };
@@ -73,8 +73,8 @@ Spectrum spectrum(const NormalForm& form, double speed_rad_per_s);
 double size_of(const Eigen::VectorXcd& values);
 
 /// Tolerance below which a real or imaginary part counts as zero, relative to the largest |lambda|. Without
-/// friction all stable roots are neutral and onsets are double roots, accurate only to the square root of
-/// rounding. With friction the crossing roots are simple.
+/// friction all stable roots are neutral and onsets are double roots, which are accurate only to the square
+/// root of rounding. With friction the crossing roots are simple.
 double zero_tolerance(const NormalForm& form);
 
 /// Numbers of roots by kind; at least one of them changes at every onset.

@@ -38,8 +38,8 @@ std::array<Complex, 2> two_nearest(const Values& values, Complex place) {
   return two;
 }
 
-/// Discriminant (lambda_1 - lambda_2)^2 of the two roots nearest to `place`. It is smooth where they merge,
-/// and accurate to rounding, although each root is accurate only to its square root.
+/// Discriminant (lambda_1 - lambda_2)^2 of the two roots nearest to `place`. It is smooth where they merge.
+/// It is accurate to rounding, whereas each root is accurate only to the square root of rounding.
 double discriminant(const Values& values, Complex place) {
   const auto [first, second] = two_nearest(values, place);
   const Complex difference = first - second;
@@ -52,7 +52,7 @@ Complex middle(const Values& values, Complex place) {
   return 0.5 * (first + second);
 }
 
-/// Complex pair nearest to the real axis, among growing or among decaying pairs.
+/// Complex pair nearest to the real axis, among the growing or among the decaying pairs.
 Complex flattest_pair(const Values& values, bool grows, double zero) {
   Complex best(0, std::numeric_limits<double>::infinity());
   for (const Complex& value : values) {
@@ -61,8 +61,8 @@ Complex flattest_pair(const Values& values, bool grows, double zero) {
   return best;
 }
 
-/// First guess of a complex root that crosses the imaginary axis: the two closest values on both sides of
-/// which exactly one grows.
+/// First guess of a complex root that crosses the imaginary axis: of the values at both ends, the two closest
+/// of which exactly one grows.
 Complex crossing_pair(const Values& low, const Values& high, double zero) {
   Complex best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -108,7 +108,7 @@ class Search {
     if (starts_with_rotation(low, high)) return keep(low, high, low.speed);
     if (options_.polish && !ends && width < width_to_polish_) {
       if (const auto speed = polish(low, high)) return keep(low, high, *speed);
-      // Another root was too near for a decision: try again with a much smaller bracket.
+      // Another root was too near for a decision, so the search is repeated with a much smaller bracket.
       const double wide = std::exchange(width_to_polish_, width / 16);
       bisect(low, high, middle_speed);
       width_to_polish_ = wide;
@@ -125,8 +125,8 @@ class Search {
     between(middle_end, high);
   }
 
-  /// Whether the signature changes directly above speed zero, as it does where friction makes a pair grow:
-  /// the real part of this pair is then proportional to the speed, so that the onset is at zero.
+  /// Whether the signature changes directly above speed zero. It does where friction makes a pair grow: the
+  /// real part of this pair is proportional to the speed, so that the onset is at zero.
   bool starts_with_rotation(const End& low, const End& high) {
     const double probe = 1e-6 * form_.reference_rad_per_s;
     return form_.has_friction && low.speed == 0 && high.speed > probe &&

@@ -124,15 +124,15 @@ std::vector<CriticalSpeed> critical_speeds(const System& system, const std::vect
 }
 
 std::vector<double> divergence_speeds(const NormalForm& form) {
-  // Solved for 1 / O^2 instead of O^2: K2 may be singular (loads without mass), while K0 contains every
-  // spring.
+  // Solved for 1 / O^2 instead of O^2, because K2 may be singular (loads without mass), while K0 contains
+  // every spring.
   const Eigen::MatrixXd inverse = numerics::dense::solve_full_pivot(form.stiffness, form.softening);
   const Eigen::VectorXcd roots = numerics::dense::eigenvalues(inverse);
   if (roots.hasNaN()) throw SolverError("divergence: the eigenvalue iteration did not converge");
   const double largest = roots.cwiseAbs().maxCoeff();
   std::vector<double> speeds;
   for (const std::complex<double>& root : roots) {
-    // Equal roots of identical loads may be computed as a pair this close to the real axis.
+    // For identical loads, two equal roots may be computed as a pair that lies this close to the real axis.
     if (std::abs(root.imag()) > 1e-9 * largest || !(root.real() > 1e-14 * largest)) continue;
     speeds.push_back(form.reference_rad_per_s / std::sqrt(root.real()));
   }

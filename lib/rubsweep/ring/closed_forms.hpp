@@ -11,17 +11,17 @@
 
 namespace rubsweep::ring {
 
-/// Speed known in closed form, with the numerical speed from the eigenvalues beside it.
+/// Speed known in closed form, and beside it the numerical speed from the eigenvalues.
 struct CriticalSpeed {
   std::string name;
   double closed_form_rad_per_s = 0;
-  /// Empty: outside of the range of speeds, or no change of stability was found there.
+  /// Empty outside of the range of speeds, or where no change of stability was found.
   std::optional<double> numeric_rad_per_s;
 };
 
 /// All closed forms below that hold for this system. Each has the nearest numerical speed of the same kind
-/// within 1e-6 of it. For divergence this is a speed of singular K, else one of `changes`, which belong to
-/// the system with its friction.
+/// within a share of 1e-6. For divergence this is a speed at which K is singular, otherwise one of `changes`,
+/// which belong to the system with its friction.
 std::vector<CriticalSpeed> critical_speeds(const System& system, const std::vector<Change>& changes);
 
 /// All speeds (rad/s, ascending, with multiplicity) at which K0 - Omega^2 K2 is singular, so that a root

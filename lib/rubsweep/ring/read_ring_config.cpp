@@ -60,7 +60,7 @@ void check_system(const rubsweep::ring::System& system, const yaml::Section& sec
 
 RingConfig read_sections(const yaml::Value& root) {
   yaml::Section section(root, root_form);
-  section.find(yaml::base_key);  // resolved before, but a known key that a misspelt one may resemble
+  section.find(yaml::base_key);  // resolved before; known here so that a misspelt key can be compared with it
   RingConfig config;
   rubsweep::ring::Study& study = config.study;
   study.system.friction_coefficient = model::required;

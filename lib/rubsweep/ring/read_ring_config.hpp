@@ -15,7 +15,8 @@
 namespace rubsweep::config::ring {
 
 inline constexpr auto parameters = words_of<rubsweep::ring::Parameter>();
-/// Allowed speeds, up to more than any rotor reaches. Much faster, eigenvalues would be only rounding.
+/// Allowed speeds, up to more than any rotor reaches. At much higher speeds, eigenvalues would be only
+/// rounding.
 inline constexpr model::Range speeds_rpm{.low = 0, .high = 1e7};
 
 /// Reads `chart`: {parameter, load, over}. `load` counts from 0; without it all loads are varied. `over` is
@@ -24,7 +25,7 @@ rubsweep::ring::ChartAxis read_ring_chart(const yaml::Value& value,
                                           const std::vector<rubsweep::ring::Load>& loads);
 void print_ring_chart(yaml::Printer& printer, const rubsweep::ring::ChartAxis& axis, study::AxisPrint how);
 
-/// One complete configuration of `ringstab`: the study and the place of its files.
+/// One complete configuration of `ringstab`: the study and the directory of its files.
 struct RingConfig {
   rubsweep::ring::Study study;
   std::filesystem::path output_directory;

@@ -28,9 +28,9 @@ constexpr std::string_view to_string(Parameter parameter) { return enumerator_wo
 struct ChartAxis {
   Parameter parameter = Parameter::friction_coefficient;
   std::optional<std::size_t>
-      load;  ///< number of the load, from 0; empty: all loads. Not used for the friction coefficient
+      load;  ///< index of the load; empty: all loads. Not used for the friction coefficient
   std::vector<double> values;
-  std::optional<batch::Spacing> spacing{};  ///< spacing in which the values were written; empty for a list
+  std::optional<batch::Spacing> spacing{};  ///< spacing of a range of values; empty for a list of values
 };
 
 /// System with the parameter set to this value.
@@ -48,7 +48,8 @@ struct ChartLine {
   double value = 0;
   std::vector<ChartPoint> points;  ///< empty when `status` is not ok
   std::vector<Onset>
-      onsets;  ///< onsets between these speeds, without modes; couplings are those without friction
+      /// onsets between these speeds, without mode names; the couplings of modes are those without friction
+      onsets;
   std::string status = "ok";  ///< singular_mass or not_converged
 };
 

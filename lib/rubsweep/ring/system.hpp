@@ -20,8 +20,8 @@ struct Ring {
   std::optional<double> radius_m;      ///< needed only for the static load
 };
 
-/// Motions that a load has. Only `radial`: it slides on the ring without a coordinate of its own. Only
-/// `tangential`: it does not follow the ring's deflection.
+/// Motions of a load. Only `radial`: it slides on the ring and has no coordinate. Only `tangential`: it does
+/// not follow the ring's deflection.
 enum class Motion { both, radial, tangential };
 
 enum class LoadKind { spring_mass, beam };
@@ -47,7 +47,8 @@ struct System {
   Ring ring;
   std::vector<Load> loads;
   double friction_coefficient = 0;  ///< mu of all loads; the friction force keeps its direction
-  double preload_n = 0;             ///< N_U, presses every load on the ring besides the centrifugal force
+  /// N_U, which presses every load on the ring in addition to the centrifugal force
+  double preload_n = 0;
 };
 
 /// Load with equal masses in both motions (Appendix B). A massless load has mass 0 and only a radial motion.

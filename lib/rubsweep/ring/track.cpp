@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Index;
 
-/// Pairs of eigenvalues: complex conjugates, and real ones two by two in the order of their size.
+/// Pairs of eigenvalues: complex conjugates, and neighbouring real ones in the order of their size.
 std::vector<std::pair<Index, Index>> natural_pairs(const Eigen::VectorXcd& values) {
   std::vector<std::pair<Index, Index>> pairs;
   std::vector<Index> real;
@@ -26,8 +26,8 @@ std::vector<std::pair<Index, Index>> natural_pairs(const Eigen::VectorXcd& value
   return pairs;
 }
 
-/// Names of the N modes: two of the ring, then one for every load with a coordinate. That is called radial
-/// where the coordinate is mostly along the load (inclination above 45 degrees).
+/// Names of the N modes: two of the ring, then one for every load with a coordinate. A load mode is called
+/// radial where the coordinate is mostly along the load (inclination above 45 degrees).
 std::vector<std::string> mode_names(const System& system) {
   std::vector<std::string> names{"ring forward", "ring backward"};
   for (std::size_t j = 0; j < system.loads.size(); ++j) {
@@ -43,7 +43,7 @@ std::vector<std::string> mode_names(const System& system) {
 std::vector<int> first_modes(const Spectrum& spectrum) {
   const auto pairs = natural_pairs(spectrum.values);
   const Index modes = static_cast<Index>(pairs.size());
-  // Share of each pair's motion in the coordinates of the loads. Pairs that remain belong to the ring.
+  // Share of each pair's motion in the coordinates of the loads. Pairs that no load gets belong to the ring.
   Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(modes, modes);
   for (Index p = 0; p < modes; ++p) {
     const auto shape = spectrum.vectors.col(pairs[static_cast<std::size_t>(p)].first).head(modes);
@@ -69,9 +69,9 @@ std::vector<int> first_modes(const Spectrum& spectrum) {
   return mode;
 }
 
-/// Name of an eigenvector by its shape, independent of its curve. This is the load that has more kinetic
-/// energy than the ring, else the direction in which the wave on the ring travels in the fixed frame. For a
-/// real root it is "ring".
+/// Name of an eigenvector by its shape, independent of its curve: the load, if it has more kinetic energy
+/// than the ring; otherwise the direction in which the wave on the ring travels in the fixed frame; "ring"
+/// for a real root.
 std::string shape_name(const std::vector<std::string>& names, int nodal_diameters, double speed_rad_per_s,
                        std::complex<double> value, const Eigen::VectorXcd& vector) {
   const auto shape = vector.head(vector.size() / 2);
@@ -91,8 +91,9 @@ std::string shape_name(const std::vector<std::string>& names, int nodal_diameter
   return names[speed_rad_per_s + relative > 0 ? 0 : 1];
 }
 
-/// Assigns both eigenvalues of every conjugate pair to one mode, so that each mode has two. If real roots of
-/// two modes have become a pair, the pair keeps one mode, and the two remaining roots get the other.
+/// Assigns both eigenvalues of every conjugate pair to one mode, so that each mode has two eigenvalues. If
+/// real roots of two modes have become a pair, the pair keeps one mode, and the two remaining roots get the
+/// other mode.
 void pair_up(const Eigen::VectorXcd& values, std::vector<int>& mode) {
   for (Index i = 0; i + 1 < values.size(); ++i) {
     if (!(values(i).imag() > 0)) continue;
@@ -113,8 +114,8 @@ using Eigen::MatrixXd;
 constexpr int most_halvings = 8;
 
 /// Cost of continuing eigenvalue i of `from` by eigenvalue k of `to`. It is the distance from the old value
-/// or from its linear prediction, whichever is less, plus the length of the predicted step times the change
-/// of shape.
+/// or from its linear prediction, whichever is smaller, plus the length of the predicted step times the
+/// change of shape.
 MatrixXd continuation_costs(const TrackPoint& from, const TrackPoint& to, double size) {
   const double step = to.speed_rad_per_s - from.speed_rad_per_s;
   const Index count = from.spectrum.values.size();
@@ -123,7 +124,7 @@ MatrixXd continuation_costs(const TrackPoint& from, const TrackPoint& to, double
   for (Index i = 0; i < count; ++i) {
     const std::complex<double> moved = from.spectrum.slopes(i) * step;
     const std::complex<double> predicted = from.spectrum.values(i) + moved;
-    // Where two roots merge the derivative is unbounded and predicts nothing.
+    // Where two roots merge, the derivative is unbounded and useless for a prediction.
     const double reach = std::min(std::abs(moved), 0.1 * size) + 1e-9 * size;
     for (Index k = 0; k < count; ++k) {
       const std::complex<double>& value = to.spectrum.values(k);
@@ -162,8 +163,8 @@ class Tracker {
     const double size = std::max(size_of(from.spectrum.values), size_of(to.spectrum.values));
     const MatrixXd cost = continuation_costs(from, to, size);
     const auto taken = numerics::cheapest_assignment(cost);
-    // At a crossing or a merger the doubt remains at any step, and the cheapest assignment is as good as any
-    // other.
+    // At a crossing or a merger the doubt remains however small the step is, and the cheapest assignment is
+    // as good as any other.
     const bool may_halve = halvings < most_halvings && track_.points.size() < most_points_;
     if (may_halve && is_doubtful(cost, taken, from, to, size)) {
       const double middle = from.speed_rad_per_s + 0.5 * (speed - from.speed_rad_per_s);

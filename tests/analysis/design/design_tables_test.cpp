@@ -88,7 +88,8 @@ TEST(DesignTables, HaveALineForEachCheck) {
             "kick,,,60,17.5,,N,,\n");
 }
 
-/// A limit kept by an unstable motion gives no verdict; a limit exceeded by it is exceeded.
+/// If an unstable rotor stays below a limit, there is no verdict; if it exceeds the limit, the verdict is
+/// that the limit is exceeded.
 TEST(DesignTables, NothingIsOkOfAnUnstableRotorButItsDryWhip) {
   DesignCheck check = tabled_check();
   check.growth = check.whole_growth = {140, 201};

@@ -22,7 +22,7 @@ DesignCheck checked(const model::Machine& machine, const DesignQuestions& asked)
   return check_design(study_of(machine), scene::prepare_machine(machine), asked);
 }
 
-/// Words of the checks with a verdict in the table.
+/// Words of those checks in the table that have a verdict.
 std::set<std::string> with_verdict(const DesignCheck& check, const std::string& verdict) {
   std::set<std::string> found;
   const std::string text = tables_of(check).design_check_csv;
@@ -61,7 +61,7 @@ TEST(LateralTerms, LittleDampingBreaksTheDecrementAlone) {
 TEST(LateralTerms, PowerBreaksTheDecrementOfADampedRotor) {
   DesignQuestions asked = questions();
   const double w = 2 * std::numbers::pi * 30, zeta = 0.02, threshold = 2 * zeta * 0.8 * w * w;
-  // Half of the coupling that makes it grow: half of the decrement is left.
+  // With half of the coupling at which the vibration begins to grow, half of the decrement remains.
   asked.stages = {{false, 0.5 * threshold * 2 * std::numbers::pi * 160 / 3, 1, 1, 1}};
   const DesignCheck check = checked(scene::one_side_machine(), asked);
   expect_only(check, "level_2");
@@ -79,7 +79,7 @@ TEST(LateralTerms, VibrationBreaksItsLimitAlone) {
   expect_only(checked(scene::one_side_machine(), questions({50, 160}, 1e-5)), "vibration");
 }
 
-/// Below its resonance a rotor moves more up to trip speed.
+/// Below the resonance the vibration still grows from the operating range up to trip speed.
 TEST(LateralTerms, AClearanceMayBeTooSmallAtTripSpeedAlone) {
   model::Machine machine = scene::one_side_machine();
   machine.stops[0].clearance_m = 1.05e-5;

@@ -15,8 +15,8 @@ std::vector<Resonance> of_a_disc(double ratio, double from, double to) {
                     [&](double speed) { return amplification(speed, ratio); });
 }
 
-/// With s the square of natural frequency by speed, the inverse square of the response is (s - 1)^2 + 4
-/// ratio^2 s, and twice its least value is at s = 1 - 2 ratio^2 +- 2 ratio sqrt(1 - ratio^2).
+/// Let s be the square of natural frequency / speed. The inverse square of the response is (s - 1)^2 + 4
+/// ratio^2 s; it is twice its least value at s = 1 - 2 ratio^2 +- 2 ratio sqrt(1 - ratio^2).
 TEST(SeparationResonances, HalfPowerOfADiscIsThatOfItsClosedForm) {
   for (const double ratio : {0.005, 0.02, 0.1}) {
     const double middle = 1 - 2 * ratio * ratio, half = 2 * ratio * std::sqrt(1 - ratio * ratio);
@@ -44,7 +44,7 @@ TEST(SeparationResonances, APeakThatFallsOnOneSideAloneCountsByThatSide) {
   EXPECT_NEAR(flat[0].amplification_below, top / 3, 1e-6);
 }
 
-/// Samples that differ by rounding alone make no peak of a response that rises.
+/// In a rising response, samples that differ only by rounding are not a peak.
 TEST(SeparationResonances, SpeedsThatAreNearlyTheSameMakeNoPeak) {
   std::vector<double> speeds;
   for (const double speed : {0.2, 0.31, 0.47, 0.63, 0.8})

@@ -7,11 +7,12 @@
 #include <numbers>
 
 #include "core/scene/kit_machine.hpp"
+#include "rubsweep/analysis/design/static_line.hpp"
 
 namespace rubsweep::design {
 namespace {
 
-/// The disc in the middle of a shaft without mass on two springs is a disc on one spring.
+/// A disc in the middle of a massless shaft on two springs moves like a disc on one spring.
 TEST(UnbalanceCases, ResponseAndBearingForcesOfAMidspanDisc) {
   const WholeRotor rotor(scene::light_shaft_machine());
   const std::vector<UnbalanceCase> cases = rotor.cases(1e-5, 100);
@@ -25,8 +26,8 @@ TEST(UnbalanceCases, ResponseAndBearingForcesOfAMidspanDisc) {
   const Eigen::VectorXcd q = rotor.response(cases[1].unbalance_kg_m, speed_hz);
   const auto disc = rotor.rotor().x.row(rotor.place(0.2));
   const double moved_m = std::abs((disc * q).value());
-  // The forces of the springs tell the stiffness of shaft and springs in series, which the response must
-  // have.
+  // The forces of the springs give the stiffness of shaft and springs in series; the response must have this
+  // stiffness.
   const double force_n = rotor.bearing_force_n(rotor.bearings()[0], q, speed_hz);
   EXPECT_NEAR(rotor.bearing_force_n(rotor.bearings()[1], q, speed_hz), force_n, 1e-6 * force_n);
   const double stiffness = 2 * force_n / moved_m, w = 2 * std::numbers::pi * speed_hz, mass_kg = 0.8;
@@ -44,7 +45,7 @@ TEST(UnbalanceCases, OfTheSecondModeAreInOppositePhaseByTheLoadsOfTheBearings) {
       {.position_m = 0.1, .mass_kg = 0.8, .polar_inertia_kg_m2 = 4e-4, .diametral_inertia_kg_m2 = 2e-4},
       {.position_m = 0.3, .mass_kg = 0.4, .polar_inertia_kg_m2 = 4e-4, .diametral_inertia_kg_m2 = 2e-4}};
   const WholeRotor rotor(machine);
-  // 0.8 kg a quarter along the span and 0.4 kg at three quarters.
+  // The rotor has 0.8 kg at a quarter of the span and 0.4 kg at three quarters.
   EXPECT_NEAR(rotor.bearings()[0].static_load_n, 0.7 * 9.80665, 1e-5);
   EXPECT_NEAR(rotor.bearings()[1].static_load_n, 0.5 * 9.80665, 1e-5);
   const std::vector<UnbalanceCase> cases = rotor.cases(1e-5, 100);

@@ -290,7 +290,7 @@ TEST(Campbell, ShowsWhatGrows) {
   EXPECT_NEAR(least, -growth / (60 * pi * std::abs(std::sqrt(std::complex<double>(-1, 0.1)))), 1e-9);
 }
 
-/// Each mode has its ratio of the list, and the last ratio holds for all further modes.
+/// Each mode has its own ratio from the list; the last ratio also holds for all further modes.
 TEST(Campbell, RatiosOfModesAreThose) {
   model::RotorKit kit = simply_supported(24);
   kit.damping_ratio = {0.01, 0.03};

@@ -32,7 +32,7 @@ TEST(Experiment, NoiseIsThereAndAlwaysTheSame) {
   ASSERT_TRUE(first.decay[1]);
   EXPECT_NEAR(first.decay[1]->natural_frequency_hz, 30, 0.02);
   EXPECT_NEAR(first.decay[1]->damping_ratio, 0.02, 5e-4);
-  EXPECT_FALSE(first.decay[0]);  // noise must not be taken for a rotor
+  EXPECT_FALSE(first.decay[0]);  // noise must not be mistaken for a decay of the rotor
 }
 
 TEST(Experiment, RunUpFindsTheResonanceBehindTheLargest1X) {

@@ -144,8 +144,8 @@ TEST(CurvedLaw, SecantIsThatAtATwentiethOfTheClearance) {
   EXPECT_NEAR(secant_n_per_m(stop), 1e9 * std::sqrt(5e-5), 1e-3);
 }
 
-/// Hunt & Crossley print F = k p^n (1 + 3/2 a v) for a restitution of 1 - a v at small speeds v, and that is
-/// what such an impact returns, to first order in a v.
+/// Hunt & Crossley print F = k p^n (1 + 3/2 a v) for a restitution of 1 - a v at small speeds v. To first
+/// order in a v such an impact has this restitution.
 TEST(CurvedLaw, SmallImpactsReturnWhatHuntAndCrossleyPrint) {
   for (const double share : {1e-1, 1e-2, 1e-3, 1e-4}) {
     const double lost = 1 - restitution_of_factor(1.5 * share);

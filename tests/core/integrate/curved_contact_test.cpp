@@ -1,5 +1,4 @@
-// Contacts whose law is not linear, against closed forms of an impact and against their equations in long
-// double.
+// Nonlinear contacts are compared with closed forms of an impact, and with their equations in long double.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -153,7 +152,7 @@ TEST(CurvedContact, OnlyTheSteppersKnowIt) {
   EXPECT_THROW(start(scene, options, modes), ConfigError);
 }
 
-/// Largest difference after `turns` turns over the growth of a small disturbance.
+/// Largest difference from the reference after `turns` turns, divided by the growth of a small disturbance.
 double error_of(unsigned seed, int turns, int& hits) {
   const RandomMachine machine(seed);
   exact::modes::ModeCache modes;
@@ -172,7 +171,7 @@ double error_of(unsigned seed, int turns, int& hits) {
   return distance(turn.section, expected) / std::max(1.0, growth);
 }
 
-/// RUBSWEEP_CURVED_MACHINES=N tests N machines over three turns: half a minute each.
+/// RUBSWEEP_CURVED_MACHINES=N tests N machines over three turns, which takes half a minute for each machine.
 TEST(CurvedContact, RandomMachinesMoveAsTheirEquationsSay) {
   const char* wanted = std::getenv("RUBSWEEP_CURVED_MACHINES");
   const unsigned machines = wanted != nullptr ? unsigned(std::atoi(wanted)) : 2;

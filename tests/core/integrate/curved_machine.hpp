@@ -1,4 +1,4 @@
-// Contacts whose law is not linear for tests: stops and machines.
+// Stops with nonlinear contact laws, and machines with such stops, for tests.
 #pragma once
 
 #include <algorithm>

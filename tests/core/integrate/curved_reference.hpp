@@ -1,5 +1,5 @@
-// The equations of machines with contacts whose law is not linear, written out again in long double, without
-// anything of the library but the numbers of a scene.
+// The equations of machines with nonlinear contacts, written again in long double. Only the numbers of a
+// scene come from the library.
 #pragma once
 
 #include <algorithm>
@@ -137,7 +137,7 @@ struct Reference {
       const Seen m = seen(i, state);
       if (m.p <= 0) continue;
       h = std::min(h, std::clamp(m.p / (100 * std::abs(m.v)), 1e-7L / w, longest / (4 * w)));
-      // A damper that was set by a graze is stiff.
+      // If the damping was set by a grazing impact, the damper is stiff.
       h = std::min(h, speed[i] * Real(0.03L) / (20 * x[i] * spring(stops[i], m.p) + 1e-9L));
     }
     h = std::min(h, longest / w);

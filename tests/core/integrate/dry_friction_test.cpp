@@ -170,7 +170,7 @@ double split_apart(const scene::Scene& scene, const std::pair<scene::Contact, sc
 }
 
 TEST(DryFriction, TwoWallsOfOneRigidCasingHoldWhatOneDoes) {
-  // The distribution of friction between the two walls is not unique, but the motion of the mass is.
+  // The friction of each of the two walls is not unique, but the motion of the mass is.
   const Belt carried{.damping = 0.1, .surface = 0.8, .revolution = 1};
   const Belt stops{.normal = 2, .mu = 0.25, .revolution = pi / 2};
   for (const double share : {0.5, 0.2, 0.9}) {

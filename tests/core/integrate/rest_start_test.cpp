@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -152,10 +153,10 @@ model::Machine coupled_kit() {
   return at_rest(machine);
 }
 
-/// Position of the observed point after each turn from rest, computed with full matrices that the tests
+/// Position of a point of the shaft after each turn from rest, computed with full matrices that the tests
 /// assemble.
-std::vector<Eigen::Vector2d> written_places_m(const model::Machine& machine, double speed_hz, double e_m,
-                                              int turns) {
+std::vector<Eigen::Vector2d> written_places_m(const model::Machine& machine, double place_m, double speed_hz,
+                                              double e_m, int turns) {
   const model::RotorKit& kit = *model::kit_of(machine);
   const structure::WrittenRotor full(kit, structure::assemble_beam_shaft(kit, {0.2}));
   const Eigen::Index n = full.mass().rows();
@@ -185,7 +186,7 @@ std::vector<Eigen::Vector2d> written_places_m(const model::Machine& machine, dou
   std::vector<Eigen::Vector2d> places;
   for (int k = 0; k < turns; ++k) {
     state = turn * state;
-    places.emplace_back(state(full.at(0.2)) / unit, state(full.at(0.2) + 2) / unit);
+    places.emplace_back(state(full.at(place_m)) / unit, state(full.at(place_m) + 2) / unit);
   }
   return places;
 }
@@ -194,7 +195,7 @@ TEST(RestStart, OfAKitIsThatOfItsFullMatrices) {
   model::Machine machine = coupled_kit();
   constexpr double e_m = 3e-4, speed_hz = 17;
   constexpr int turns = 12;
-  const auto truth = written_places_m(machine, speed_hz, e_m, turns);
+  const auto truth = written_places_m(machine, 0.2, speed_hz, e_m, turns);
   ASSERT_GT(truth[0].norm(), 1e-4);
   for (const bool from_sag : {false, true}) {
     model::kit_of(machine)->clearances_from_sag = from_sag;
@@ -211,6 +212,62 @@ TEST(RestStart, OfAKitIsThatOfItsFullMatrices) {
         EXPECT_LT((found[i] - begin_m - truth[i]).norm(), 1e-9 * truth[0].norm()) << i;
     }
   }
+}
+
+/// Largest distance from the truth over the turns, as a share of the largest displacement.
+double error_of(const model::Machine& machine, const std::vector<Eigen::Vector2d>& truth, double speed_hz,
+                double e_m) {
+  const scene::Cell cell = scene::build_cell(machine, speed_hz, scene::Eccentricity{e_m});
+  const auto found = places_m(cell.scene, run::Method::exact, static_cast<int>(truth.size()));
+  double error_m = 0, size_m = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    error_m = std::max(error_m, (found[i] - truth[i]).norm());
+    size_m = std::max(size_m, truth[i].norm());
+  }
+  return error_m / size_m;
+}
+
+/// The probe stands away from the stop, whose attachment mode therefore does not answer for it.
+TEST(RestStart, OfAReducedKitTendsToThatOfItsFullMatrices) {
+  model::Machine machine = coupled_kit();
+  model::RotorKit& kit = *model::kit_of(machine);
+  kit.elements = 8;
+  kit.shaft[0].density_kg_per_m3 = 30000;
+  kit.damping_ratio = kit.rotating_damping_ratio = {0.0};
+  kit.supports[1].damping_y_ns_per_m = 20;
+  kit.sensors = {{.position_m = 0.3, .angle_deg = 0}};
+  constexpr double e_m = 3e-4, speed_hz = 31;
+  const auto truth = written_places_m(machine, 0.3, speed_hz, e_m, 20);
+  double before = 1;
+  for (const int modes : {1, 2, 4, 6}) {
+    kit.modes = modes;
+    const double error = error_of(machine, truth, speed_hz, e_m);
+    EXPECT_LT(error, before) << modes;
+    before = error;
+  }
+  EXPECT_LT(before, 2e-4);
+  kit.modes.reset();
+  EXPECT_LT(error_of(machine, truth, speed_hz, e_m), 1e-3);
+}
+
+/// Without damping the resonance has no quiet motion, but a run from rest does not need one: the whirl grows
+/// by pi times the eccentricity in each turn, a quarter turn behind the mark.
+TEST(RestStart, AtAnUndampedResonanceGrowsTurnByTurn) {
+  model::Machine machine = at_rest(scene::one_side_machine());
+  machine.stops[0].clearance_m = 0.05;
+  machine.rotor = model::JeffcottRotor{.mass_kg = 0.7, .natural_frequency_hz = 37, .damping_ratio = 0};
+  constexpr double e_m = 1e-4;
+  const scene::Cell cell = scene::build_cell(machine, 37, scene::Eccentricity{e_m});
+  ASSERT_TRUE(scene::can_run(cell.start));
+  EXPECT_TRUE(std::isnan(cell.whirl_ratio));
+  for (const run::Method method : both_methods) {
+    const auto found = places_m(cell.scene, method, 40);
+    for (std::size_t turn = 1; turn <= found.size(); ++turn) {
+      const Eigen::Vector2d truth(0, -pi * e_m * static_cast<double>(turn));
+      EXPECT_LT((found[turn - 1] - truth).norm(), 1e-8 * e_m * 40) << turn;
+    }
+  }
+  EXPECT_EQ(scene::build_cell(machine, 37, scene::WhirlRatio{0.5}).start, scene::Start::unreachable);
 }
 
 }  // namespace

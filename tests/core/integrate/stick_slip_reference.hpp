@@ -293,7 +293,8 @@ class StickSlipReference {
     }
   }
 
-  /// Takes the direction of a slip from the state, or adds the wall to the ones that may stick.
+  /// Sets the direction of slip of a touching wall; a wall with slip zero is added to the walls that may
+  /// stick.
   void touch(std::size_t i, std::vector<std::size_t>& standing) {
     const Real slip = look(i, state).slip;
     if (!touches(i)) return;

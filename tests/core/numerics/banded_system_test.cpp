@@ -21,7 +21,7 @@ TEST(BandedSystem, ABandedMatrixIsSolvedWithinItsBand) {
     MatrixXcd a = MatrixXcd::Zero(size, size);
     for (Eigen::Index row = 0; row < size; ++row) {
       for (Eigen::Index column = 0; column < size; ++column) {
-        // Small numbers on the diagonal: without pivots no digit is left.
+        // Small numbers on the diagonal: without pivoting the solution has no correct digit.
         const double number = std::sin(static_cast<double>(7 * row + 3 * column * column));
         if (std::abs(row - column) <= band)
           a(row, column) = (row == column ? 1e-14 : 1.0) * (number + i / 3.0);
@@ -35,8 +35,8 @@ TEST(BandedSystem, ABandedMatrixIsSolvedWithinItsBand) {
   }
 }
 
-/// Sizes that fill no register, and a band as wide as the matrix, as structural damping of all modes makes
-/// it.
+/// Sizes that are no multiple of a register's, and a band as wide as the matrix, which structural damping of
+/// all modes causes.
 TEST(BandedSystem, AFullMatrixIsSolvedAsABandOfItsOwnWidth) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;

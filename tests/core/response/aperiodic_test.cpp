@@ -84,9 +84,10 @@ TEST(AperiodicClassify, ATorusIsQuasiPeriodic) {
   EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 0.05, 0, 0.1})), "quasi_periodic");
 }
 
-/// Growth of the vector along the flow of a motion that sticks (slow) for a tenth of a swing and slips (fast)
-/// for the rest: it is bounded, so that the exponent is zero. Three turns hold almost 50 swings, and the
-/// turns of a block hold the slow swing that is left once: all blocks show the same trend of 0.022 a turn.
+/// Growth of the tangent vector along a motion that sticks (slow) for a tenth of each swing and slips (fast)
+/// for the rest. The growth is bounded, so that the exponent is zero. Three turns contain almost 50 swings.
+/// Seen every third turn the phase moves slowly, about once through a swing in the turns of a block. So all
+/// blocks show the same trend of 0.022 a turn.
 TEST(AperiodicClassify, SlowSwingsOfATangentVectorAreNeitherChaosNorDecay) {
   for (const double detuning : {0.0025, 0.0027, 0.0051, 0.0053}) {
     double phase = 0.05;
@@ -202,8 +203,8 @@ TEST(AperiodicClassify, AMapThatFailsLeavesNoExponent) {
 
 TEST(AperiodicClassify, AModulationTooSmallToTellIsUnsettled) {
   EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 1e-3, 0, 0.1})), "quasi_periodic");
-  // It returns within 7e-5 after 8 turns, and within 1e-5 only after more turns than the first evaluation
-  // knows.
+  // The section returns within 7e-5 after 8 turns, and within 1e-5 only after more turns than the first
+  // evaluation covers.
   EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 2e-4, 0, 0.1})), "unsettled");
 }
 

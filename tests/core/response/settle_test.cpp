@@ -118,8 +118,8 @@ TEST(Settle, ImpulsesThatRepeatEveryTurnLeaveTheProof) {
             1e-9);
 }
 
-/// 2.5 impulses per turn repeat after two turns, 1 / 3 impulse per turn after three: consecutive turns
-/// differ.
+/// With 2.5 impulses per turn the impulses repeat after two turns, with 1 / 3 of an impulse per turn after
+/// three turns. Consecutive turns differ.
 TEST(Settle, OtherImpulsesOnlyLetTheMotionBeObserved) {
   for (const auto& [multiple, order] : {std::pair{2.5, 2}, std::pair{1.0 / 3, 6}}) {
     const auto settled = run_struck(multiple, {});
@@ -360,8 +360,8 @@ TEST(Settle, ACombWhoseLinesOverlapIsAnOvalToo) {
   EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::oval);
 }
 
-/// The same motion: after 600 turns it still returns best after three periods, finally after one, as a run of
-/// 1200 turns shows.
+/// The same motion. After 600 turns the section still returns best after three periods. Finally it returns
+/// best after one period, as a run of 1200 turns shows.
 TEST(Settle, AProofTellsAPeriodFromASlowTransient) {
   const auto settled = run_annular(120, 0.3231578947368421);
   EXPECT_EQ(settled.proof, motion::Proof::floquet_observed);

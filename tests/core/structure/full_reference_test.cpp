@@ -14,8 +14,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// A shaft with a stop in the middle and a seal beside it. The seal destabilises the first bending mode or
-/// the second one, which has its node at the stop.
+/// A shaft with a stop in the middle and a seal at another place. The seal destabilises the first or the
+/// second bending mode; the second mode has its node at the stop.
 model::Machine fed_by_a_seal(double seal_at_m, double cross_n_per_m) {
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.6, 0.015)};

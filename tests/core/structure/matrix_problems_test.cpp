@@ -93,7 +93,7 @@ TEST(MatrixProblems, ShaftThatTurnsFromYToXHasGyroscopicNumbersOfTheOtherSign) {
   EXPECT_EQ(problem_of(rotor), "none");
   rotor.gyroscopic = -rotor.gyroscopic.eval();
   EXPECT_EQ(problem_of(rotor), "gyroscopic: has the sign of a shaft that turns from y to x");
-  // A single disc, whose numbers are in the rows of its rotations.
+  // A single disc, whose moments of inertia are in the rows of its rotations.
   rotor.gyroscopic.setZero();
   rotor.gyroscopic(10, 11) = -0.3, rotor.gyroscopic(11, 10) = 0.3;
   EXPECT_EQ(problem_of(rotor), "gyroscopic: has the sign of a shaft that turns from y to x");

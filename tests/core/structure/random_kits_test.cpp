@@ -21,7 +21,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// A symmetric shaft with stop and sensor at the node of every second mode; dampers couple these modes in.
+/// A symmetric shaft. Stop and sensor are at the node of every second mode; only dampers couple these modes
+/// to them.
 model::Machine halves(double damper_ns_per_m, double seal_n_per_m) {
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.6, 0.015)};
@@ -148,9 +149,9 @@ Eigen::MatrixXcd full_motion(const model::Machine& machine, const WrittenRotor& 
   return motion;
 }
 
-/// Largest difference at random frequencies, divided by the claimed accuracy; each column is relative to its
-/// largest value nearby. Three cases: at rest (or a speed of the tables), shaft at the force's frequency,
-/// shaft at half of it (2X).
+/// Largest difference at random frequencies, divided by the claimed accuracy. Differences of a column are
+/// relative to the largest value of this column nearby. Three cases are compared: the shaft at rest (or at a
+/// speed of the tables), turning at the frequency of the force, and turning at half of this frequency (2X).
 double beyond_claim(const model::Machine& machine, const KitAssembly& kit, RandomKit& random) {
   const model::RotorKit& given = *model::kit_of(machine);
   const bool tables = model::has_tables(given);

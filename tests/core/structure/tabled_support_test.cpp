@@ -51,7 +51,8 @@ TEST(TabledSupport, LacksNothingAtTheSpeedThatIsBuiltIn) {
   EXPECT_NEAR(some.damping(1, 1), 45 - 65, 1e-12);
 }
 
-/// A support of a shaft in all its coordinates moves with a few of them, one of reduced coordinates with all.
+/// In a shaft with all its coordinates a support depends on a few of them; in reduced coordinates it depends
+/// on all.
 TEST(TabledSupport, AddsTheSameToFewCoordinatesAsToAll) {
   model::Support support;
   support.position_m = 0;

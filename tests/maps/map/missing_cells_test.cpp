@@ -50,7 +50,7 @@ TEST(MissingCells, AMachineThatIsPreparedAlreadyIsNotPreparedAgain) {
   const SmallMap map;
   const config::RunConfig config = SmallMap::config();
   MapDirectory directory = map.begin();
-  // Its damping tells in the rows which machine was taken.
+  // The rows show by the damping ratio which of the two machines was used.
   model::Machine other = config.study.machine;
   std::get<model::JeffcottRotor>(other.rotor).damping_ratio = 0.3;
   MissingCells missing({.prepared = scene::prepare_machine(other)}, config.study, directory);

@@ -494,8 +494,9 @@ TEST(EvaluateCell, SolversAgreeWithDampingThatTurns) {
   }
 }
 
-/// On a floor, a weight whose sag would be four clearances, without unbalance: nothing moves, and the stop
-/// carries what the rotor's spring does not. With unbalance the rotor moves on the floor.
+/// A rotor lies on a floor; without the floor it would sag by four clearances. Without unbalance nothing
+/// moves, and the stop carries the part of the weight that the rotor's spring does not carry. With unbalance
+/// the rotor moves on the floor.
 TEST(EvaluateCell, ARotorThatRestsOnAStopIsCalledSo) {
   Study study = one_side_study({60}, {0});
   study.machine.kick.reset();

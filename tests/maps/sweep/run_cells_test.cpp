@@ -70,7 +70,7 @@ TEST(RunCells, OrderAndCompanyOfACellDoNotChangeItsRow) {
   EXPECT_EQ(run(study, {}, 2), Lines());
 }
 
-/// A part of the cells at a time, as a rank of MPI computes them, by one prepared machine.
+/// One prepared machine computes a part of the cells at a time, as in a rank of MPI.
 TEST(RunCells, AMachinePreparedBeforeGivesTheSameRows) {
   const Study study = mixed_study();
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);

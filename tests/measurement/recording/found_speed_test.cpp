@@ -40,7 +40,7 @@ TEST(FoundSpeed, TwoHarmonicsSayItWhereTheLineItselfIsMissing) {
       ASSERT_TRUE(found);
       EXPECT_NEAR(found->speed_hz, 30.06, 1e-4);
       EXPECT_TRUE(found->by_harmonics);
-    } else {  // one line alone may be of another machine
+    } else {  // a single line may come from another machine
       EXPECT_TRUE(!found || found->speed_hz == 0);
     }
   }

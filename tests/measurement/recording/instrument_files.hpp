@@ -10,7 +10,8 @@
 #include <string_view>
 #include <vector>
 
-/// Files as instruments write them, of their own making: what the readers are held against.
+/// Files in the formats of instruments, written by independent code. The readers of the library are tested
+/// with these files.
 namespace rubsweep::recording::files {
 
 /// Readings of two probes at 1 kHz of a shaft that turns 25 times a second.
@@ -28,7 +29,7 @@ inline Signals signals(int count) {
   return all;
 }
 
-/// Bytes of numbers, least or most significant first.
+/// Collects the bytes of numbers, with the least or the most significant byte first.
 class Bytes {
  public:
   explicit Bytes(bool big = false) : big_(big) {}
@@ -47,7 +48,7 @@ class Bytes {
   bool big_;
 };
 
-/// How a data set 58 says its numbers.
+/// Format of the numbers in a data set 58 of a universal file.
 struct UniversalForm {
   int ordinate = 4;  ///< 2: single precision, 4: double
   bool even = true;
@@ -82,7 +83,7 @@ inline std::string universal_set(std::string_view name, const std::vector<double
   return text + "    -1\n";
 }
 
-/// The same with binary numbers; times of an uneven clock have four bytes.
+/// The same data set with binary numbers. If the clock is uneven, times have four bytes.
 inline std::string binary_universal_set(std::string_view name, const std::vector<double>& values, bool big,
                                         const UniversalForm& form = {}) {
   Bytes numbers(big);
@@ -98,7 +99,7 @@ inline std::string binary_universal_set(std::string_view name, const std::vector
   return "    -1\n" + first + universal_head(name, values.size(), form) + numbers.text + "\n    -1\n";
 }
 
-/// Parts of a TDMS file, in little endian.
+/// A text in a TDMS file; numbers have the least significant byte first.
 inline std::string tdms_text(std::string_view words) {
   return Bytes().add(words.size(), 4).text + std::string(words);
 }
@@ -127,7 +128,7 @@ inline constexpr std::uint32_t tdms_whole = 0x0e, tdms_raw = 0x08, tdms_interlea
 
 inline const std::string tdms_no_data = Bytes().add(0xffffffff, 4).text;
 
-/// File, group and two channels of doubles, `count` readings a chunk.
+/// Metadata of a file, a group and two channels of doubles, with `count` readings in a chunk.
 inline std::string tdms_metadata(std::size_t count) {
   return Bytes().add(4, 4).text + tdms_object("/", tdms_no_data, "", 0) +
          tdms_object("/'run'", tdms_no_data, "", 0) +
@@ -142,7 +143,7 @@ inline std::string tdms_chunk(const Signals& all, std::size_t first, std::size_t
   return raw.text;
 }
 
-/// Head of a LabVIEW measurement, up to the head of its first segment.
+/// Head of a LabVIEW measurement file, up to the head of its first segment.
 inline std::string labview_head(std::string_view columns, char separator = '\t') {
   std::string text =
       "LabVIEW Measurement\t\nWriter_Version\t2\nReader_Version\t2\nSeparator\tTab\n"
@@ -154,7 +155,7 @@ inline std::string labview_head(std::string_view columns, char separator = '\t')
   return text;
 }
 
-/// A segment of two signals whose clock begins at an instant of the day; rows by `row`.
+/// A segment of two signals, whose clock begins at a time of day; `row` writes one row.
 template <class Row>
 std::string labview_segment(std::size_t count, std::string_view time, std::string_view names,
                             const Row& row) {

@@ -9,7 +9,7 @@
 namespace rubsweep::recording {
 namespace {
 
-/// A file of each form, small so that a flipped bit often meets its head.
+/// A file of each format. The files are small, so that a flipped bit is often in the head.
 std::vector<std::string> small_files() {
   const auto all = files::signals(24);
   const auto row = [&](std::size_t k) { return fmt::format("\t{:.4f}\t{:.4f}", all.x[k], all.y[k]); };
@@ -37,7 +37,8 @@ std::vector<std::string> small_files() {
               files::labview_segment(24, "10:15:31.1", "X_Value\tX\tY\tComment", row)};
 }
 
-/// Bits flipped, bytes changed, the end cut off: each file is read or refused, never anything else.
+/// Bits are flipped, bytes are changed, or the end is cut off. Each file must be read or refused, without any
+/// other failure.
 TEST(RecordingFileDamaged, IsReadOrRefused) {
   std::mt19937 random(20);
   const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
@@ -62,8 +63,8 @@ TEST(RecordingFileDamaged, IsReadOrRefused) {
   }
 }
 
-/// Two files on which a search that starts again at every character would hang: a line of 400 000 open
-/// brackets, and long lines of cells.
+/// Two files on which a search that starts again at every character would take too long: a line of 400 000
+/// opening brackets, and long lines of cells.
 TEST(RecordingFileDamaged, LongLinesTakeNoLongTime) {
   const std::string open = "a b\n" + std::string(400000, '(') + "\n1 2\n2 3\n3 4\n";
   EXPECT_EQ(read_recording_file("f.txt", open).channels.size(), 2u);

@@ -161,7 +161,7 @@ TEST(RecordingFile, TheFirstBytesSayWhatItIs) {
   EXPECT_EQ(read_recording_file("any.txt", "a,b\n1,2\n3,4\n").channels.size(), 2u);
   EXPECT_NE(fault("/nowhere/a.dat", "TDSm").find("TDMS"), std::string::npos);
   EXPECT_NE(fault("/nowhere/a.dat", "    -1\n    58\n").find("data set 58"), std::string::npos);
-  // No such files: who is asked to open them says so.
+  // These files do not exist. The reader of each format would report this.
   EXPECT_NE(fault("/nowhere/a.csv", "RIFF....WAVE").find("allowed: a WAV file"), std::string::npos);
   EXPECT_NE(fault("/nowhere/a.dat", "MATLAB 5.0 MAT-file").find("MATLAB file"), std::string::npos);
   EXPECT_NE(fault("/nowhere/a.mat", "\x89HDF\r\n").find("a.mat: is HDF5 without MATLAB's head, allowed: "),
@@ -169,7 +169,7 @@ TEST(RecordingFile, TheFirstBytesSayWhatItIs) {
   EXPECT_NE(fault("/nowhere/a.mat", "old").find("MATLAB file"), std::string::npos);
 }
 
-/// A table of our programs can be a recording, but only if it was not changed.
+/// A table written by our programs is accepted as a recording only if its checksum is right.
 TEST(RecordingFile, ATableWithAWrongSumIsRefused) {
   const std::string head = "# rubtrace 1\n# digest x\n# format 1\n",
                     rows = "t_s,sensor_0_m\n0,1e-6\n1,2e-6\n";

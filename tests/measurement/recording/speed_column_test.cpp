@@ -13,7 +13,7 @@ namespace {
 
 constexpr SampleClock speed_clock{2, 1000};
 
-/// A speed of f + r t turns a second, in a unit of so many turns a second.
+/// A speed of f + r t turns a second. The unit of the column is `size` turns a second.
 Channels with_speed(double f, double r, double size, const char* unit, std::size_t count = 3000) {
   Channels channels;
   channels.channels = {{"n", unit, {}}};
@@ -77,7 +77,7 @@ TEST(SpeedColumn, TheSignalSaysHowFarItIsOff) {
   ASSERT_TRUE(factor);
   EXPECT_NEAR(*factor, 1.0005, 1e-6);
   EXPECT_EQ(findings.size(), 1u);
-  // A run-up has no line that could tell.
+  // A run-up has no line from which the factor could be found.
   EXPECT_FALSE(speed_factor({x}, speed_clock,
                             turns_by_speed(with_speed(20, 4, 1, "Hz"), {"n"}, speed_clock, "f"), findings));
 }

@@ -43,8 +43,9 @@ TEST(VerdictLines, ALineBetweenTheBinsHasItsOrderAndAmplitude) {
 }
 
 TEST(VerdictLines, OrdersAreThoseOfALineThatTurnsWithTheShaft) {
-  // Noise has moved the marks, so over 60 turns the motion rotates `late_turns` less than they indicate. In
-  // the second motion nothing is bound to the shaft, and a line far enough from 1X is not rescaled.
+  // Noise has moved the marks, so that over 60 turns the motion rotates by `late_turns` less than the marks
+  // indicate. In the second motion no line is a multiple of 1X, and a line far enough from 1X is not
+  // rescaled.
   std::mt19937_64 random(4);
   std::normal_distribution<double> noise(0, 0.1);
   for (const double late_turns : {0.01, 0.1}) {

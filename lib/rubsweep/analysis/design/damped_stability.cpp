@@ -27,13 +27,19 @@ std::optional<linear::WhirlMode> forward_mode(const linear::WhirlProblem& proble
   return std::nullopt;
 }
 
+/// Growth rate of the whirl `mode` under another coupling; `mode` becomes the whirl under this coupling.
+double growth_under(const structure::SpeedMatrices& without, const linear::FreeRotor& rotor,
+                    Eigen::Index place, double coupling_n_per_m, linear::WhirlMode& mode) {
+  constexpr double precision = 1e-11;  // the rounding of shaft elements is only slightly smaller
+  structure::SpeedMatrices matrices = without;
+  couple(matrices.stiffness, rotor, place, coupling_n_per_m);
+  return structure::follow_free_mode(matrices, mode.root_per_s, mode.shape, precision);
+}
+
 /// Growth of the whirl that continues one under another coupling; the whirl is replaced.
 double growth_under(const structure::SpeedMatrices& without, const linear::FreeRotor& rotor,
                     Eigen::Index place, double coupling_n_per_m, linear::WhirlMode& mode) {
-  constexpr double precision = 1e-11;  // rounding of the elements of a shaft is not far below
-  structure::SpeedMatrices matrices = without;
-  couple(matrices.stiffness, rotor, place, coupling_n_per_m);
-  if (!structure::follow_free_mode(matrices, mode.root_per_s, mode.shape, precision))
+  if (!continues_under(without, rotor, place, coupling_n_per_m, mode))
     throw SolverError("design check: the first forward whirl is lost as cross-coupling grows");
   return mode.root_per_s.real();
 }
@@ -55,10 +61,25 @@ std::optional<Decrement> first_forward(const linear::FreeRotor& rotor, std::span
   for (const double speed_hz : speeds_hz) {
     const auto mode = forward_mode(problem, speed_hz);
     if (!mode) continue;
-    const double decrement = -2 * pi * mode->root_per_s.real() / mode->root_per_s.imag();
+    const double decrement = decrement_of(*mode);
     if (!least || decrement < least->decrement) least = Decrement{speed_hz, mode->frequency_hz(), decrement};
   }
   return least;
+}
+
+std::vector<Decrement> over_coupling(const linear::FreeRotor& rotor, double speed_hz, double up_to_hz,
+                                     Eigen::Index place, std::span<const double> couplings_n_per_m) {
+  const std::vector<double> speeds{speed_hz};
+  auto mode = forward_mode(linear::WhirlProblem(rotor, speeds, up_to_hz), speed_hz);
+  if (!mode) return {};
+  const double w = 2 * pi * speed_hz;
+  const structure::SpeedMatrices without = structure::matrices_at(rotor.full, w, w);
+  std::vector<Decrement> decrements;
+  for (const double coupling : couplings_n_per_m) {
+    if (!continues_under(without, rotor, place, coupling, *mode) || mode->root_per_s.imag() <= 0) break;
+    decrements.push_back({speed_hz, mode->frequency_hz(), decrement_of(*mode)});
+  }
+  return decrements;
 }
 
 std::optional<double> threshold_n_per_m(const linear::FreeRotor& rotor, double speed_hz, double up_to_hz,

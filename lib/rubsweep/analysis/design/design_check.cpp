@@ -20,7 +20,7 @@
 namespace rubsweep::design {
 namespace {
 
-/// Twice the gap at a stop for the mean position of the rotor; at least 0.
+/// Twice the gap at a stop with the rotor in its mean position; at least 0.
 double diametral_clearance_m(const scene::PreparedMachine& prepared, std::size_t stop,
                              const WatchedPlace& place, const scene::QuietMotion& motion) {
   const model::Stop& described = prepared.machine.stops[stop];
@@ -106,7 +106,7 @@ void try_kicks(const sweep::Study& study, const scene::PreparedMachine& prepared
                                 kicked_speeds(questions, check.locks), questions.threads, never);
 }
 
-/// Clearances from the maximum continuous speed to trip speed, or to where the tables end.
+/// Adds clearances for speeds from the maximum continuous speed to trip speed, or to the end of the tables.
 void add_trip_clearances(const scene::PreparedMachine& prepared, DesignCheck& check) {
   constexpr int speeds = 26;
   const double trip_hz = trip_speed * check.whole.to_hz, to_hz = within_tables_hz(prepared.machine, trip_hz);

@@ -38,8 +38,8 @@ class Lengths {
   model::ShownLengths shown_;
 };
 
-/// Verdict for a limit. While a free vibration grows the steady response does not last, so that a kept limit
-/// means nothing.
+/// Verdict for a limit. While a free vibration grows, the steady response does not last, so that a limit
+/// which is met says nothing.
 std::string_view if_lasting(bool met, const linear::GrowthAt& growth) {
   return met && growth.growth_per_s > 0 ? "of a motion that does not last" : verdict(met);
 }
@@ -185,7 +185,7 @@ std::string answer_lines(const DesignCheck& check) {
   return text;
 }
 
-/// A term of the lateral analysis; lengths in the unit of the page.
+/// A line for a term of the lateral analysis; lengths in the unit of the page.
 std::string lateral_line(const Term& term, const Lengths& length) {
   const auto number = [&](double value) {
     return term.unit == "m" ? length(value)

@@ -8,20 +8,21 @@
 
 namespace rubsweep::design {
 
-/// A design check as one page for a terminal: what is asked, what comes out, `ok` or `NOT MET` where there is
-/// a limit. Lengths as asked for, in um otherwise; vibration is peak to peak in any case.
+/// A design check as one page for a terminal: input, results, and `ok` or `NOT MET` where there is a limit.
+/// Lengths are in the requested unit, in um by default; vibration is always peak to peak.
 std::string design_page(const DesignCheck& check, const model::ShownLengths& shown = {});
 
 /// A design check as CSV files.
 struct DesignTables {
-  /// check (vibration, clearance, dry_whip, stability, those of lateral_terms, kick), place (probe or stop
-  /// and its number, with the unbalance), position_m, speed_hz, value, limit, unit (m, 1, N, N/m or 1/s),
-  /// margin (share of the limit that is left), verdict (ok, not_met, not_told or empty)
+  /// Columns: check (vibration, clearance, dry_whip, stability, those of lateral_terms, kick), place (probe
+  /// or stop with its number, and the unbalance), position_m, speed_hz, value, limit, unit (m, 1, N, N/m or
+  /// 1/s), margin (remaining share of the limit), verdict (ok, not_met, not_told or empty).
   std::string design_check_csv;
   std::string
       unbalance_response_csv;   ///< place, position_m, speed_hz, major_axis_m (scaled, full length), limit_m
   std::string lock_speeds_csv;  ///< speed_hz, p, first_mode, q, second_mode
-  std::string kicks_csv;        ///< speed_hz, force_n (empty: none), motion, runs, failed; empty: none tried
+  /// speed_hz, force_n (empty: no rub), motion, runs, failed; empty table: no kicks were tried
+  std::string kicks_csv;
 };
 
 DesignTables tables_of(const DesignCheck& check);

@@ -30,7 +30,8 @@ Term clearance_term(std::string check, const ClearanceMargin& margin) {
 
 std::vector<Term> terms_of(const DesignCheck& check) {
   std::vector<Term> terms;
-  // The response of a rotor that grows does not last: what it would keep is no verdict.
+  // While a free vibration grows, the steady response does not last. A limit that this response meets is no
+  // verdict.
   const auto if_lasting = [](bool met, const linear::GrowthAt& growth) {
     return !met || growth.growth_per_s == 0 ? std::optional(met) : std::nullopt;
   };

@@ -41,7 +41,7 @@ struct WhirlInStop {
     return std::conj((moved(0) - i * moved(1)) / 2.0);
   }
 
-  /// Friction coefficient that a whirl at w needs; infinite where no such whirl exists.
+  /// Friction coefficient that a whirl at w needs; infinite where the stop allows no such whirl.
   double friction(double w) const {
     return friction_of_dry_whip(receptance(w), stiffness_n_per_m).value_or(none);
   }
@@ -61,14 +61,15 @@ std::vector<double> frequencies_rad_per_s(const WhirlInStop& whirl) {
   return found;
 }
 
-/// Whirl frequencies to be tried, ascending up to `fastest`, with equal steps between natural frequencies.
+/// Whirl frequencies to try, ascending up to `fastest`, with equal steps between natural frequencies.
 std::vector<double> whirls_up_to(double fastest, const WhirlInStop& whirl) {
   std::vector<double> ends = frequencies_rad_per_s(whirl);
   if (ends.empty()) return {};
-  // Damping and gyroscopic moments shift the frequencies a little, so that the outer intervals are extended.
+  // Damping and gyroscopic moments shift the frequencies a little, so that the first and the last interval
+  // are extended.
   ends.insert(ends.begin(), ends.front() / 4);
   ends.push_back(2 * ends.back());
-  // With many intervals fewer steps in each suffice.
+  // With many intervals, fewer steps suffice in each.
   const int steps = std::max(8, 512 / static_cast<int>(ends.size()));
   std::vector<double> whirls;
   for (std::size_t k = 1; k < ends.size(); ++k) {
@@ -80,7 +81,7 @@ std::vector<double> whirls_up_to(double fastest, const WhirlInStop& whirl) {
   return whirls;
 }
 
-/// Last whirl frequency with finite friction, between `with` (finite) and `without` (infinite), by bisection.
+/// Last whirl frequency with finite friction, by bisection between `with` (finite) and `without` (infinite).
 double edge(const WhirlInStop& whirl, double with, double without) {
   constexpr int halvings = 60;
   for (int i = 0; i < halvings; ++i) {

@@ -41,7 +41,7 @@ KickThreshold threshold_at(double speed_hz, double force_n, KickedCell& cell) {
   constexpr double tolerance = 0.01;
   KickThreshold found{.speed_hz = speed_hz, .force_n = {}, .motion = {}};
   std::map<double, sweep::Probe>
-      known;  // cached results, since the threshold search repeats the ends of its intervals
+      known;  // cached results: the threshold search runs the ends of its intervals again
   const auto probe = [&](double force) {
     const auto [at, is_new] = known.try_emplace(force);
     if (is_new) {

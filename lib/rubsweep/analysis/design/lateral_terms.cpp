@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rubsweep/analysis/design/separation.hpp"
+#include "rubsweep/analysis/design/static_line.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 using Eigen::Index;
 
-/// Responses of all cases by the speed: peaks of one case ask for speeds at which others were asked already.
+/// Responses of all cases, cached by speed, because the searches for peaks need some speeds more than once.
 class Responses {
  public:
   Responses(const WholeRotor& rotor, const std::vector<UnbalanceCase>& cases)
@@ -42,7 +43,7 @@ class Responses {
   std::map<double, Eigen::MatrixXcd> known_;
 };
 
-/// Terms of one resonance: its amplification, and how far from the operating range it must be.
+/// Adds the terms of one resonance: its amplification, and its required distance from the operating range.
 void add_resonance(const Resonance& peak, const SpeedRange& operating, const std::string& place,
                    std::optional<double> position_m, std::vector<Term>& terms) {
   const bool damped = peak.amplification ? *peak.amplification < critically_damped
@@ -56,7 +57,7 @@ void add_resonance(const Resonance& peak, const SpeedRange& operating, const std
     term.limit.reset();
     term.not_told = "the response does not fall to its half power beside this peak";
   } else {
-    // Inside, the requirement is that of the nearer end.
+    // For a resonance inside the range, the requirement of the nearer end holds.
     const bool above = operating.to_hz - peak.speed_hz < peak.speed_hz - operating.from_hz;
     term.limit = required_separation(*peak.amplification, above);
     term.margin = *term.value - *term.limit;
@@ -65,7 +66,7 @@ void add_resonance(const Resonance& peak, const SpeedRange& operating, const std
   terms.push_back(std::move(term));
 }
 
-/// Speeds of the response: those of the whole range, and beyond it up to the last one.
+/// Speeds of the response: those of the whole range, and further speeds up to `to_hz`.
 std::vector<double> speeds_up_to(double to_hz, const linear::FreeRotor& rotor,
                                  const LateralQuestions& asked) {
   constexpr int speeds_beyond = 11;
@@ -147,7 +148,7 @@ Term decrement_term(std::string check, const std::optional<Decrement>& found) {
   return term;
 }
 
-/// The machine on its bearings alone; as it is where it has none.
+/// The machine without its seals; unchanged where no bearing would remain.
 model::Machine without_seals(const model::Machine& machine) {
   model::Machine bare = machine;
   model::RotorKit* kit = model::kit_of(bare);
@@ -159,7 +160,7 @@ model::Machine without_seals(const model::Machine& machine) {
   return kit->supports.empty() ? machine : bare;
 }
 
-/// A failed Level I asks for Level II, which decides.
+/// Removes the verdict of a failed Level I, because Level II then decides.
 Term no_verdict_if_failed(Term term) {
   if (term.met == false) {
     term.met.reset();

@@ -11,7 +11,7 @@
 
 namespace rubsweep::design {
 
-/// Why nothing is known of a term that a motion without growth would meet.
+/// Reason why a term is unknown although the computed motion meets its limit.
 inline constexpr const char* grows_away = "a free vibration grows within the range of speeds";
 
 /// One line of a design check.
@@ -20,34 +20,35 @@ struct Term {
   std::string place;  ///< empty: of the whole rotor
   std::optional<double> position_m = {}, speed_hz = {}, value = {}, limit = {};
   std::string unit = {};
-  std::optional<double> margin = {};  ///< remaining share of the limit; of the speed, for a separation
+  std::optional<double> margin = {};  ///< remaining share of the limit; for a separation, share of the speed
   std::optional<bool> met = {};
-  std::string not_told = {};  ///< why nothing is known of a term with a limit; else empty
+  std::string not_told = {};  ///< reason why a term with a limit is unknown; else empty
 };
 
-/// Questions of the lateral analysis of API 617.
+/// Input of the lateral analysis of API 617.
 struct LateralQuestions {
   SpeedRange operating;
-  SpeedRange whole;           ///< up to the maximum continuous speed
+  SpeedRange whole;           ///< speeds up to the maximum continuous speed
   double eccentricity_m = 0;  ///< eccentricity in the case `configured`
-  double scale = 1;           ///< factor of the unbalance for the bearing forces
+  double scale = 1;           ///< factor of the unbalance, for the bearing forces
   double vibration_limit_m = 0;
   std::vector<linear::CriticalSpeed> critical_speeds = {};  ///< within `whole`
-  bool grows = false;                        ///< true: a response does not last, so that it keeps no limit
-  std::optional<std::vector<Stage>> stages;  ///< empty: not said; none: the rotor does no work
+  /// true: a free vibration grows, so that no response lasts and no limit counts as met
+  bool grows = false;
+  std::optional<std::vector<Stage>> stages;  ///< empty: not given; empty list: the rotor does no work
 };
 
-/// Speeds up to which API 617 looks at the response and at clearances, as shares of the maximum continuous
-/// speed.
+/// Highest speeds at which API 617 considers the response and the clearances, as shares of the maximum
+/// continuous speed.
 inline constexpr double response_up_to = 1.25, trip_speed = 1.05;
 inline constexpr double least_decrement = 0.1, least_threshold_ratio = 2;
 
-/// Response to the unbalances of API 617 from the full matrices: vibration, amplification factors and
-/// separation margins of each case at each probe, forces of the bearings; logarithmic decrements of Level I
-/// and II.
+/// Response to the unbalances of API 617, computed from the full matrices: vibration, amplification factors
+/// and separation margins of each case at each probe, and bearing forces. Also logarithmic decrements of
+/// Level I and II.
 std::vector<Term> lateral_terms(const scene::PreparedMachine& prepared, const LateralQuestions& questions);
 
-/// The speed up to which tables of the supports go, at most `up_to_hz`.
+/// Highest speed in the tables of the supports, at most `up_to_hz`.
 double within_tables_hz(const model::Machine& machine, double up_to_hz);
 
 }  // namespace rubsweep::design

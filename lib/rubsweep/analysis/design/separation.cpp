@@ -11,15 +11,15 @@
 namespace rubsweep::design {
 namespace {
 
-/// Samples of a response, and the response between them.
+/// Samples of a response, and the function that computes it between them.
 struct Sampled {
   std::span<const double> speeds_hz;
   const std::function<double(double)>& amplitude;
   std::vector<double> values;
 };
 
-/// Where the response first falls to the level on one side (`step` -1 or 1) of the peak near sample `at`;
-/// empty where the range ends first, or another peak is higher.
+/// Speed at which the response first falls to the level, on one side (`step` -1 or 1) of the peak near sample
+/// `at`. Empty where the range ends first, or where another peak is higher.
 std::optional<double> falls_to(const Sampled& sampled, const Resonance& peak, std::size_t at, int step) {
   const double level = peak.amplitude / std::numbers::sqrt2;
   double inner_hz = peak.speed_hz, inner = peak.amplitude;
@@ -64,7 +64,7 @@ std::vector<Resonance> resonances(std::span<const double> speeds_hz,
     const double value = amplitude(hz);
     return std::isfinite(value) ? value : undamped;
   };
-  // Between samples that are nearly the same speed a response rises and falls by rounding.
+  // Between samples at nearly the same speed, differences of the response are rounding.
   constexpr double same_speed = 1e-9;
   std::vector<double> apart_hz;
   for (const double hz : speeds_hz)

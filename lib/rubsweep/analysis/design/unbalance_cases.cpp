@@ -5,12 +5,12 @@
 #include <complex>
 #include <numbers>
 
+#include "rubsweep/analysis/design/static_line.hpp"
 #include "rubsweep/analysis/design/unbalance_response.hpp"
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/model/support_path.hpp"
 #include "rubsweep/core/numerics/banded_system.hpp"
-#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 
@@ -26,14 +26,15 @@ double held_by(const model::Support& support) {
   return std::min(support.stiffness_x_n_per_m, support.stiffness_y_n_per_m);
 }
 
-/// A vector of one plane among the coordinates of both.
+/// Places a vector of one plane among the coordinates of both planes.
 Eigen::VectorXd in_plane(const Eigen::VectorXd& of_plane, Index plane) {
   Eigen::VectorXd both = Eigen::VectorXd::Zero(2 * of_plane.size());
   both(Eigen::seqN(plane, of_plane.size(), 2)) = of_plane;
   return both;
 }
 
-/// Static loads of the bearings: by the shaft on its bearings alone, since seals run where the rotor stands.
+/// Sets the static loads of the bearings. Only the bearings carry the shaft here, since seals adapt to the
+/// position of the rotor.
 void load_bearings(const structure::BeamShaft& shaft, const model::RotorKit& kit,
                    std::vector<Bearing>& bearings) {
   Eigen::MatrixXd stiffness = shaft.plane_stiffness(1);
@@ -56,15 +57,6 @@ double residual_kg_m(double mass_kg, double max_continuous_hz) {
 
 }  // namespace
 
-bool is_seal(const model::RotorKit& kit, std::size_t support) {
-  constexpr double holds_nothing = 0.01;
-  if (kit.supports[support].name.find("Seal") != std::string::npos) return true;
-  double stiffest = 0;
-  for (const model::Support& one : kit.supports)
-    if (!one.at_housing) stiffest = std::max(stiffest, held_by(one));
-  return held_by(kit.supports[support]) < holds_nothing * stiffest;
-}
-
 WholeRotor::WholeRotor(const model::Machine& machine)
     : machine_(machine), rotor_(linear::free_rotor(machine)) {
   const structure::LateralSystem& system = rotor_.full.system;
@@ -86,8 +78,7 @@ WholeRotor::WholeRotor(const model::Machine& machine)
 }
 
 void WholeRotor::add_shaft(const model::RotorKit& kit) {
-  std::vector<double> stations_m;
-  for (const model::Stop& stop : machine_.stops) stations_m.push_back(*stop.position_m);
+  const std::vector<double> stations_m = stop_stations_m(machine_);
   const structure::BeamShaft shaft = structure::assemble_beam_shaft(kit, stations_m);
   configured_kg_ = in_plane(shaft.unbalance_kg.real(), 0).cast<Complex>() +
                    Complex(0, 1) * in_plane(shaft.unbalance_kg.imag(), 0).cast<Complex>();
@@ -99,14 +90,13 @@ void WholeRotor::add_shaft(const model::RotorKit& kit) {
       structure::plane_modes(shaft.plane_mass(0), shaft.plane_stiffness(0), 2);
   first_ = modes.shape.col(0)(Eigen::seqN(0, places, 2));
   if (modes.shape.cols() > 1) second_ = modes.shape.col(1)(Eigen::seqN(0, places, 2));
-  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
-    const model::Support& support = kit.supports[i];
-    if (support.at_housing || is_seal(kit, i)) continue;
-    const Eigen::VectorXd gap = structure::support_gap(shaft, kit, i);
-    bearings_.push_back({i, support.position_m, 0, in_plane(gap, 0), in_plane(gap, 1)});
+  model::RotorKit without_loads = kit;
+  without_loads.static_loads.clear();
+  for (const BearingLoad& load : static_line(without_loads, stations_m).loads) {
+    const Eigen::VectorXd gap = structure::support_gap(shaft, kit, load.support);
+    bearings_.push_back({load.support, kit.supports[load.support].position_m, -load.load_n[1],
+                         in_plane(gap, 0), in_plane(gap, 1)});
   }
-  std::ranges::sort(bearings_, {}, &Bearing::position_m);
-  if (!bearings_.empty()) load_bearings(shaft, kit, bearings_);
 }
 
 Index WholeRotor::place(std::optional<double> position_m) const {

@@ -10,52 +10,52 @@
 
 namespace rubsweep::design {
 
-/// Unbalance of an analysis by API 617, by the mass in kg and the maximum continuous speed in rpm: four times
-/// the largest residual unbalance.
+/// Unbalance of an analysis by API 617: four times the largest residual unbalance. To be multiplied by the
+/// mass in kg and divided by the maximum continuous speed in rpm.
 inline constexpr double unbalance_g_mm_rpm_per_kg = 4 * 6350;
 
-/// Whether a support holds nothing: by the name of its element in a file of another program, or because it is
-/// a hundred times softer than the stiffest bearing.
+/// Whether a support carries no load, because the name of its element in a file of another program says so,
+/// or because it is a hundred times softer than the stiffest bearing.
 bool is_seal(const model::RotorKit& kit, std::size_t support);
 
-/// A bearing of a kit; seals are none.
+/// A bearing of a kit; seals do not count as bearings.
 struct Bearing {
   std::size_t support = 0;
   double position_m = 0;
-  double static_load_n = 0;  ///< its share of the weight of the rotor, > 0 downwards
-  Eigen::VectorXd x, y;      ///< n: what it is displaced by = x * q, y * q
+  double static_load_n = 0;  ///< static load from the weight of the rotor, > 0 downwards
+  Eigen::VectorXd x, y;      ///< n: displacement of the rotor at the bearing is x * q, y * q
 };
 
-/// A distribution of unbalance that API 617 asks the response to.
+/// A distribution of unbalance for which API 617 requires the response.
 struct UnbalanceCase {
   std::string name;
-  Eigen::VectorXcd unbalance_kg_m;  ///< n: at a speed w it forces w^2 Re(unbalance_kg_m e^{i w t})
+  Eigen::VectorXcd unbalance_kg_m;  ///< n: at a speed w the force is w^2 Re(unbalance_kg_m e^{i w t})
 };
 
-/// A rotor in all coordinates of its finite elements, with what its unbalance response needs.
+/// A rotor in all coordinates of its finite elements, with the data for its unbalance response.
 class WholeRotor {
  public:
   explicit WholeRotor(const model::Machine& machine);
 
   const linear::FreeRotor& rotor() const { return rotor_; }
   const std::vector<Bearing>& bearings() const { return bearings_; }
-  /// Number of the place along the shaft next to a position; of a Jeffcott rotor its disc.
+  /// Index of the place along the shaft nearest to a position; for a Jeffcott rotor, the disc.
   Eigen::Index place(std::optional<double> position_m) const;
-  /// Middle between the outer bearings, or of the shaft.
+  /// Index of the place midway between the outer bearings, or at the middle of the shaft.
   Eigen::Index midspan() const;
 
-  /// As the machine spreads it, with an eccentricity of 1 m.
+  /// Unbalance as distributed in the configuration, with an eccentricity of 1 m.
   const Eigen::VectorXcd& configured_kg() const { return configured_kg_; }
-  /// `configured` with an eccentricity; and of a kit four times the residual unbalance 6350 W / N g mm, N in
-  /// rpm: at the largest deflection of its first undamped mode at rest (`mode 1`, W all its mass); at the
-  /// largest deflections to either side of the second one (`mode 2`, in opposite phase, W the load of the
-  /// bearing next to each); at each end beyond the bearings (`left end`, `right end`, W the mass that
-  /// overhangs, as of a coupling).
+  /// The case `configured` with an eccentricity. For a kit also cases with four times the residual unbalance
+  /// 6350 W / N g mm (N in rpm). `mode 1`: at the largest deflection of the first undamped mode at rest, with
+  /// W the total mass. `mode 2`: in opposite phase at the largest deflections to either side of the second
+  /// mode, each with W the load of the nearest bearing. `left end`, `right end`: at each end beyond the
+  /// bearings, as of a coupling, with W the overhung mass.
   std::vector<UnbalanceCase> cases(double eccentricity_m, double max_continuous_hz) const;
 
-  /// Amplitudes of the coordinates at a speed, a column for each of unbalance.
+  /// Amplitudes of the coordinates at a speed, one column for each column of unbalance.
   Eigen::MatrixXcd response(const Eigen::MatrixXcd& unbalance_kg_m, double speed_hz) const;
-  /// The largest force on a bearing in a turn, in newtons, of a column of the response.
+  /// Largest force on a bearing during a turn, in newtons, for one column of the response.
   double bearing_force_n(const Bearing& bearing, const Eigen::VectorXcd& response, double speed_hz) const;
 
  private:
@@ -66,8 +66,9 @@ class WholeRotor {
   linear::FreeRotor rotor_;
   Eigen::VectorXcd configured_kg_;
   std::vector<Bearing> bearings_;
-  Eigen::VectorXd first_, second_;  ///< deflections of the first undamped modes over the places; may be empty
-  Eigen::VectorXd mass_kg_;         ///< share of the weight of each place
+  /// deflections of the first two undamped modes at the places; may be empty
+  Eigen::VectorXd first_, second_;
+  Eigen::VectorXd mass_kg_;  ///< share of the weight of each place
   double whole_mass_kg_ = 0;
   Eigen::Index band_ = 0;
 };

@@ -21,27 +21,28 @@ struct SpeedRange {
   bool contains(double speed_hz) const { return speed_hz >= from_hz && speed_hz <= to_hz; }
 };
 
-/// Largest value of a quantity over the speed, and that speed.
+/// Largest value of a quantity over the speed, and the speed at which it occurs.
 struct Largest {
   double speed_hz = 0;
   double value = 0;
 };
 
-/// Speeds at which a response is sampled, ascending: evenly spaced over the range, and closer around critical
-/// speeds, in proportion to the width of their resonances.
+/// Speeds at which a response is sampled, ascending. They are evenly spaced over the range, and denser around
+/// critical speeds, in proportion to the width of these resonances.
 std::vector<double> response_speeds(const SpeedRange& range, std::span<const linear::CriticalSpeed> critical);
 
-/// Speeds within a range of those given, which ascend, with both ends of the range added.
+/// Given speeds (ascending) that lie in a range, and both ends of the range.
 std::vector<double> within(const SpeedRange& range, std::span<const double> speeds_hz);
 
-/// Largest `value` over the range of `speeds_hz`, which ascend. Samples are taken at these speeds, and around
-/// each sample that is larger than both neighbours the maximum is refined (Brent). A value that is not finite
-/// counts as infinite.
+/// Largest `value` over the range of `speeds_hz`, which ascend. Samples are taken at these speeds. Around
+/// each sample that is larger than both neighbours, the maximum is refined (Brent). A value that is not
+/// finite counts as infinite.
 Largest largest_over_speed(std::span<const double> speeds_hz, const std::function<double(double)>& value);
 
 /// Full major axis of the ellipse x = Re(X e^{i w t}), y = Re(Y e^{i w t}), in the unit of `amplitude` = (X,
-/// Y). The forward circle has the radius |X + i Y| / 2, the backward one |X - i Y| / 2, and the sum of both
-/// is half the axis. It is at least the peak to peak value of x and of y, and larger for an inclined ellipse.
+/// Y). The forward circle has the radius |X + i Y| / 2, the backward circle |X - i Y| / 2; the sum of both
+/// radii is half the axis. The axis is at least the peak to peak value of x and of y, and larger for an
+/// inclined ellipse.
 double major_axis(const Eigen::Vector2cd& amplitude);
 
 /// Place on the shaft whose motion is evaluated.
@@ -57,8 +58,8 @@ std::vector<WatchedPlace> probe_places(const scene::PreparedMachine& prepared);
 std::vector<WatchedPlace> stop_places(const scene::PreparedMachine& prepared);
 
 /// Quiet motion of a machine at a speed > 0 with an eccentricity of 1 m, without bow and misalignment of
-/// couplings. Where supports follow the speed, it is in the coordinates that hold at all speeds. The tables
-/// must reach the speed.
+/// couplings. Where supports depend on the speed, the motion is in the coordinates that hold at all speeds.
+/// The tables must reach the speed.
 scene::QuietMotion unit_response(const scene::PreparedMachine& prepared, double speed_hz);
 
 /// Full major axis of the ellipse at a place, in the unit of the motion. Not finite at an undamped resonance.

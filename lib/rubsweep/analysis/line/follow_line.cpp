@@ -29,15 +29,15 @@ HandedState handed(const scene::Scene& scene, std::span<const double> section) {
 }
 
 /// Turns from the start of the kick to the phase of smallest quiet gap, from 0 to below 1. A kick with a
-/// phase begins later than that phase, and turns are counted from the kick.
+/// phase begins later than the smallest gap, and turns are counted from the kick.
 double turns_to_smallest_gap(const model::Machine& machine) {
   const double late = machine.kick ? machine.kick->phase_deg.value_or(0) / 360 : 0;
   const double turns = std::ceil(late) - late;
   return turns < 1 ? turns : 0;
 }
 
-/// State at the share `at` of the way between two states that are `step_s` apart, by the cubic through
-/// displacements and velocities at both ends.
+/// State at the fraction `at` of the interval between two states that are `step_s` apart, by the cubic
+/// through displacements and velocities at both ends.
 SectionPoint between(const trace::TraceState& from, const trace::TraceState& to, double step_s, double at) {
   const Eigen::Vector2d rise = to.displacement_m - from.displacement_m;
   const Eigen::Vector2d a = step_s * from.velocity_m_per_s - rise, b = rise - step_s * to.velocity_m_per_s;
@@ -46,7 +46,7 @@ SectionPoint between(const trace::TraceState& from, const trace::TraceState& to,
           (rise + (1 - 2 * at) * (rest * a + at * b) + at * rest * (b - a)) / step_s};
 }
 
-/// Samples per turn with which the cubic is as accurate as the states: its error is 4e-12 of a motion at 1X.
+/// Samples per turn with which the cubic is as accurate as the states: for a motion at 1X its error is 4e-12.
 constexpr int fine_samples = 1024;
 
 /// Quiet motion, from its closed form.
@@ -106,15 +106,16 @@ class TurnReader {
 
   trace::StateReader reader_;
   double section_turns_;  ///< phase of the section, in turns
-  int finer_;             ///< ratio of samples taken to samples needed
+  int finer_;             ///< number of samples taken for each sample needed
   int samples_;
   double step_s_;
 };
 
 /// Continues `run`, the run that classified `cell`, from its last revolution and records its motion. A rotor
-/// proven to be at rest is recorded from its closed form. A periodic motion is recorded from where its
+/// that is proven to be at rest is recorded from its closed form. A periodic motion is recorded once its
 /// section returns within 1e-5 clearances, at the latest after max_revolutions. A proven motion without a
-/// period is recorded one window later, and any other at once. Empty where the run has failed or fails now.
+/// period is recorded one window later, and any other motion at once. Empty where the run has failed or now
+/// fails.
 std::optional<SettledMotion> settled_motion(const scene::Cell& cell, const response::SettledRun& run,
                                             const sweep::Study& study,
                                             response::motion::Workspace& workspace) {
@@ -164,7 +165,8 @@ LinePoint run_cell(const LineCell& line_cell, Pass pass, std::size_t number,
                    const std::optional<HandedState>& before) {
   const sweep::Study& study = *line_cell.study;
   const double speed_hz = line_cell.place.speed_hz;
-  // Passed-on states need the same coordinates at all speeds; cells with a kick are the same as in a map.
+  // States passed from cell to cell need the same coordinates at all speeds. Cells with a kick are the same
+  // as in a map.
   scene::Cell cell = scene::build_cell(
       pass == Pass::kick ? scene::prepared_at(*line_cell.machine, speed_hz) : *line_cell.machine, speed_hz,
       line_cell.place.unbalance);
@@ -216,7 +218,7 @@ std::size_t follow_line(std::span<const LineCell> cells, std::span<const Pass> p
       deliver(std::move(point));
     }
   };
-  // A chain takes as long as many cells and therefore begins first.
+  // A chain of cells takes much longer than a single cell and therefore begins first.
   batch::parallel_run(
       chains.size() + (kicked ? cells.size() : 0), threads,
       [&](std::size_t task) {

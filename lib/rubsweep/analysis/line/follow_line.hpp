@@ -34,8 +34,8 @@ struct HandedState {
 
 /// Settled motion of a run, long enough to be drawn.
 struct SettledMotion {
-  /// One point per turn of the period for a periodic motion, one point for a rotor at rest, else two windows
-  /// of points.
+  /// One point per turn of the period for a periodic motion, one point for a rotor at rest, and the points of
+  /// two windows for any other motion.
   std::vector<SectionPoint> section;
   response::spectrum::FullSpectrum spectrum;  ///< spectrum over the same window as in a map
   HandedState end;                            ///< state at the end of the recorded motion
@@ -50,7 +50,7 @@ enum class Pass {
 
 constexpr std::string_view to_string(Pass pass) { return enumerator_word(pass); }
 
-/// One cell of a line. Neighbours share what they have in common.
+/// One cell of a line. Neighbours share the data that are the same for both.
 struct LineCell {
   double value = 0;  ///< value of the parameter along the line
   std::shared_ptr<const sweep::Study> study;
@@ -67,12 +67,12 @@ struct LinePoint {
 };
 
 /// Runs the cells of a line in every pass, and returns the number of points. A cell of an upward or downward
-/// pass starts, without a kick, on the settled motion of the cell before it. It takes over displacements, and
-/// velocities per radian of shaft rotation, at the phase of smallest quiet gap. After a cell without motion
-/// the next one starts from its kick. Cells of Pass::kick run in parallel, and so do whole passes. The result
-/// does not depend on `threads` (0: all processors). `on_point` gets the points one at a time, in any order.
-/// Once `stop` is true no new cell starts. Throws ConfigError where an upward or downward pass meets cells
-/// with different numbers of coordinates.
+/// pass starts, without a kick, on the settled motion of the cell before it. It takes over the displacements,
+/// and the velocities per radian of shaft rotation, at the phase of smallest quiet gap. After a cell without
+/// motion the next cell starts from its kick. Cells of Pass::kick run in parallel, and so do whole passes.
+/// The result does not depend on `threads` (0: all processors). `on_point` gets the points one at a time, in
+/// any order. Once `stop` is true no new cell starts. Throws ConfigError where an upward or downward pass
+/// meets cells with different numbers of coordinates.
 std::size_t follow_line(std::span<const LineCell> cells, std::span<const Pass> passes, int threads,
                         const std::function<void(LinePoint&&)>& on_point, const std::atomic<bool>& stop);
 

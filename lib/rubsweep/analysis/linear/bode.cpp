@@ -31,7 +31,7 @@ Complex fit_phasor(std::span<const double> x, std::span<const double> angle) {
 double lag_deg(Complex phasor, double sensor_angle_deg) {
   double phase = std::arg(phasor) * 180 / pi + sensor_angle_deg;
   phase -= 360 * std::ceil(phase / 360 - 1e-12);
-  // A lag of zero with noise shall read about 0, not about -360.
+  // With noise, a lag of zero shall read about 0, not about -360.
   return phase <= -350 ? phase + 360 : phase;
 }
 
@@ -74,7 +74,7 @@ void find_top(const OneXSignal& signal, const Window& before, const Window& at, 
   const double a = amplitude(top - 1), b = amplitude(top), c = amplitude(top + 1), bend = a - 2 * b + c;
   const double shift = bend < 0 ? std::clamp((a - c) / (2 * bend), -1.0, 1.0) : 0;
   one.largest_amplitude_m = b - (a - c) * shift / 4;
-  // The speed changes at a constant rate from sample to sample.
+  // From sample to sample the speed changes at a constant rate.
   one.speed_of_largest_hz = signal.speed_hz[top] + shift * (signal.speed_hz[top + 1] - signal.speed_hz[top]);
 }
 

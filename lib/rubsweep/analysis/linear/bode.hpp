@@ -25,7 +25,7 @@ struct OneXSignal {
   double sensor_angle_deg = 0;  ///< direction of the sensor; the mark passes it later by this angle
 };
 
-/// 1X of a run-up as a tracking filter with windows of `revolutions` revolutions shows it.
+/// 1X of a run-up as shown by a tracking filter with windows of `revolutions` revolutions.
 struct OneX {
   std::vector<BodePoint> plot;  ///< amplitude A in the middle of each window, one per revolution
   double largest_amplitude_m = 0;
@@ -34,8 +34,8 @@ struct OneX {
   std::optional<double> speed_of_largest_hz;
 };
 
-/// Computes 1X from the phasor at an instant, since the mean over a window would flatten a resonance that is
-/// passed quickly. The noise that a window leaves, by least squares of offset + Re(A e^{i phi}), is added. A
+/// Computes 1X from the phasor at one instant, since the mean over a window would flatten a resonance that is
+/// passed quickly. The remaining noise of a window (by least squares of offset + Re(A e^{i phi})) is added. A
 /// window with fewer than eight samples gives no point.
 OneX one_x(const OneXSignal& signal, int revolutions);
 

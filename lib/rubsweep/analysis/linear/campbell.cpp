@@ -12,18 +12,18 @@
 namespace rubsweep::linear {
 namespace {
 
-constexpr double sure = 0.9;      ///< smallest assurance criterion that leaves no doubt
-constexpr double alike = 0.3;     ///< smallest assurance of a mode that continues an earlier one
+constexpr double sure = 0.9;      ///< smallest assurance criterion at which two modes are surely the same
+constexpr double alike = 0.3;     ///< smallest assurance criterion of a mode that continues an earlier mode
 constexpr int most_halvings = 8;  ///< limit on halvings of a step of the speed
 
 using Curve = std::vector<FollowedMode>;
 
-/// Continuation of curves from one speed to the next: for each mode of `from` its index in `to`, empty if it
-/// has none, and the new modes of `to`.
+/// Continuation of curves from one speed to the next: for each mode of `from` its index in `to` (empty if it
+/// has no continuation), and the new modes of `to`.
 struct Continuation {
   std::vector<std::optional<std::size_t>> next;
   std::vector<std::size_t> fresh;
-  bool doubtful = false;  ///< true: doubt about a mode with at most the frequency `up_to_hz`
+  bool doubtful = false;  ///< true: at least one mode up to the frequency `up_to_hz` is doubtful
 };
 
 Continuation continuation(const std::vector<const WhirlMode*>& from, const std::vector<WhirlMode>& to,
@@ -111,7 +111,7 @@ ModeShape shape_of(const FreeRotor& rotor, const FollowedMode& at, int number) {
   Eigen::Index place_x = 0, place_y = 0;
   const double largest_x = shape.x.cwiseAbs().maxCoeff(&place_x),
                largest_y = shape.y.cwiseAbs().maxCoeff(&place_y);
-  // On a circular orbit the largest x and y are equal up to rounding, and x is taken.
+  // On a circular orbit the largest x and the largest y are equal up to rounding; x is then used.
   const std::complex<double> largest =
       largest_x >= (1 - 1e-6) * largest_y ? shape.x(place_x) : shape.y(place_y);
   if (largest != 0.0) {
@@ -121,7 +121,7 @@ ModeShape shape_of(const FreeRotor& rotor, const FollowedMode& at, int number) {
   return shape;
 }
 
-/// Whether a curve comes below the frequency `up_to_hz`, or its mode grows at some speed.
+/// Whether a curve falls below the frequency `up_to_hz`, or its mode grows at some speed.
 bool is_shown(const Curve& curve, double up_to_hz) {
   return std::ranges::any_of(curve, [&](const FollowedMode& point) {
     return point.mode.frequency_hz() <= up_to_hz || point.mode.root_per_s.real() > 0;
@@ -157,7 +157,7 @@ FollowedMode locate(const WhirlProblem& problem, const FollowedMode& low, const 
   const auto excess = [&](double speed_hz) {
     return alike_at(problem, speed_hz, low.mode).frequency_hz() - speed_hz;
   };
-  std::uintmax_t iterations = 400;  // never reached: four evaluations at least halve the bracket
+  std::uintmax_t iterations = 400;  // never reached, since four evaluations at least halve the bracket
   const auto bracket =
       boost::math::tools::toms748_solve(excess, low.speed_hz, high.speed_hz, excess_hz(low), excess_hz(high),
                                         boost::math::tools::eps_tolerance<double>(48), iterations);

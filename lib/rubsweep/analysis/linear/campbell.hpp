@@ -19,7 +19,7 @@ struct CampbellPoint {
 /// One curve of a Campbell diagram: a mode that was followed over the speed by its shape.
 struct CampbellMode {
   /// Number from 1, by the frequency at the first speed, backward before forward. Modes that are overdamped
-  /// there follow in the order in which they begin to oscillate.
+  /// at the first speed follow in the order in which they begin to oscillate.
   int number = 0;
   std::vector<CampbellPoint> points;  ///< speeds at which the mode is not overdamped; may be empty
 };
@@ -33,7 +33,7 @@ struct CriticalSpeed {
 };
 
 /// Mode shape of the shaft: deflections Re(x e^{i w t}), Re(y e^{i w t}) at the places of the rotor. The
-/// largest is 1. The largest x is real and positive, or the largest y where x does not move.
+/// largest deflection is 1. The largest x is real and positive, or the largest y where x does not move.
 struct ModeShape {
   int mode = 0;
   double speed_hz = 0;  ///< first critical speed, or the first speed at which the mode is found
@@ -56,9 +56,9 @@ struct Campbell {
 };
 
 /// Campbell diagram of a rotor over `speeds_hz`, at least one, ascending and >= 0, from the full matrices. It
-/// has the modes whose frequency is below `up_to_hz` at some speed, those that grow at some speed, and always
-/// the two slowest ones. Modes are followed from speed to speed by the modal assurance criterion.
-/// Intermediate speeds are added where the criterion leaves doubt and where modes begin or end. Critical
+/// contains the modes whose frequency is below `up_to_hz` at some speed, the modes that grow at some speed,
+/// and always the two slowest modes. Modes are followed from speed to speed by the modal assurance criterion.
+/// Intermediate speeds are added where the criterion is not decisive and where modes begin or end. Critical
 /// speeds are located to rounding. Throws SolverError as WhirlProblem does.
 Campbell campbell(const FreeRotor& rotor, std::span<const double> speeds_hz, double up_to_hz);
 
@@ -68,9 +68,9 @@ struct FollowedMode {
   WhirlMode mode;
 };
 
-/// Points at which the whirl frequency of a followed mode equals the shaft speed, located to rounding between
-/// the points of `curve`, which ascend by speed. Throws SolverError where the mode is lost between two
-/// points.
+/// Points at which the whirl frequency of a followed mode equals the shaft speed. They are located to
+/// rounding between the points of `curve`, which ascend by speed. Throws SolverError where the mode is lost
+/// between two points.
 std::vector<FollowedMode> critical_points(const WhirlProblem& problem, std::span<const FollowedMode> curve);
 
 }  // namespace rubsweep::linear

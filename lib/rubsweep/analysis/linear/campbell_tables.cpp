@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t most_modes = 4;
 constexpr std::array<std::pair<int, int>, 3> orders{{{2, 1}, {3, 1}, {3, 2}}};
 constexpr int halvings = 60;
-constexpr double most_damping_ratio = 0.5;  ///< a mode with more damping decays before the two meet again
+/// a mode with more damping has decayed before both modes meet the wall again
+constexpr double most_damping_ratio = 0.5;
 
 double signed_hz(const CampbellPoint& point) {
   return point.forward_share >= 0.5 ? point.frequency_hz : -point.frequency_hz;
@@ -60,7 +61,8 @@ std::optional<std::size_t> place_of(const Branch& branch, double speed_hz) {
   return static_cast<std::size_t>(found - branch.speed_hz.begin());
 }
 
-/// Adds speeds at which two modes lock, at most one root in each interval of the diagram that both have.
+/// Adds the speeds at which two modes lock: at most one root in each interval of the diagram that both modes
+/// have.
 void add_roots(const Branch& first, const Branch& second, int p, int q, std::vector<LockSpeed>& found) {
   const auto excess = [&](double hz) {
     return (p - q) * hz - p * first.signed_hz(hz) + q * second.signed_hz(hz);
@@ -126,7 +128,7 @@ std::string mode_shapes_csv(const Campbell& diagram) {
 std::string summary_of(const Campbell& diagram, const std::vector<LockSpeed>& locks) {
   std::string text;
   for (const CampbellMode& mode : diagram.modes) {
-    if (mode.points.empty()) continue;  // a mode may whirl only between two of the speeds
+    if (mode.points.empty()) continue;  // a mode may whirl only between two neighbouring speeds
     const CampbellPoint &first = mode.points.front(), &last = mode.points.back();
     text += fmt::format("mode {:<4} {:.5g} Hz at {}, {:.5g} Hz at {} ({})", mode.number, first.frequency_hz,
                         model::speed_text(first.speed_hz, 5), last.frequency_hz,

@@ -9,9 +9,9 @@ namespace rubsweep::linear {
 
 /// Shaft speed W at which two whirl modes can lock to each other through a bouncing contact (Shaw, Champneys
 /// and Friswell, Proc. R. Soc. A 472, 2016, 20160303). Whirl frequencies w are positive forward and negative
-/// backward; in the rotating frame they are w - W. Where p (w_first - W) = q (w_second - W), that is, W = (p
-/// w_first - q w_second) / (p - q), one mode whirls p times and the other q times until both meet the wall
-/// again at the same place of the shaft.
+/// backward; in the rotating frame they are w - W. The modes lock where p (w_first - W) = q (w_second - W),
+/// that is, W = (p w_first - q w_second) / (p - q): one mode then whirls p times and the other q times until
+/// both meet the wall again at the same place of the shaft.
 struct LockSpeed {
   int first = 0, second = 0;  ///< numbers of the modes
   int p = 0, q = 0;
@@ -19,8 +19,8 @@ struct LockSpeed {
 };
 
 /// Lock speeds within a diagram for all pairs of its first four modes and all coprime p > q from 1 to 3,
-/// ascending. Leaves out modes with more than half of critical damping, which decay before both meet again.
-/// Frequencies between the speeds of the diagram follow from monotone cubics.
+/// ascending. Modes with more than half of critical damping are left out, because they decay before both
+/// modes meet the wall again. Frequencies between the speeds of the diagram come from monotone cubics.
 std::vector<LockSpeed> lock_speeds(const Campbell& diagram);
 
 /// Tables of a Campbell diagram as texts. Speeds and frequencies are in Hz.

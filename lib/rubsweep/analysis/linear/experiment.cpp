@@ -37,8 +37,8 @@ int samples_in(double duration_s, double sample_s) {
   return static_cast<int>(std::floor(duration_s / sample_s)) + 1;
 }
 
-/// Whether each sensor measures a signal. A sensor across the motion reads only rounding, or less than the
-/// noise.
+/// Whether each sensor measures a signal. A sensor perpendicular to the motion reads only rounding errors, or
+/// less than the noise.
 std::vector<bool> sees_something(const Eigen::MatrixXd& signal, double noise_m) {
   const double floor_m = std::max(noise_m, 1e-9 * signal.cwiseAbs().maxCoeff());
   std::vector<bool> sees;
@@ -97,7 +97,7 @@ Eigen::VectorXd residual(const Samples& x, const Parameters& p,
 }
 
 /// Angular frequency per sample of the largest spectral line of the signal without its mean. Zeros are
-/// appended, three times as many as samples, so that the frequency grid is four times finer.
+/// appended, three times as many as there are samples, so that the frequency grid is four times finer.
 double strongest_frequency(const Samples& x) {
   const auto length = static_cast<std::size_t>(4 * x.size());
   std::vector<std::complex<double>> padded(length);
@@ -112,7 +112,7 @@ double strongest_frequency(const Samples& x) {
 }
 
 /// Levenberg-Marquardt iteration. Eigen's unsupported version finds the same minimum within 1e-8, but would
-/// change the last digits that identification.csv prints.
+/// change the last printed digits of identification.csv.
 Parameters refine(const Samples& x, Parameters p) {
   double error = residual(x, p, nullptr).squaredNorm(), damping = 1e-3;
   constexpr int most_iterations = 200;
@@ -186,7 +186,7 @@ RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz
                .largest_amplitude_m = {}};
   run_up.signal_m = run_linear(machine, run_up.run, sensors.rows);
   const Eigen::MatrixXcd phasor_m = phasors(machine, run_up.run, sensors.rows);
-  // Noise is ignored: the Bode plot finds modes that noise hides in a free response.
+  // Noise is ignored here, because the Bode plot finds modes that noise hides in a free response.
   run_up.sees = sees_something(phasor_m.cwiseAbs(), 0);
   Eigen::MatrixXd noise_m = Eigen::MatrixXd::Zero(run_up.signal_m.rows(), run_up.signal_m.cols());
   add_noise(noise_m, sampling.noise_m);

@@ -42,15 +42,16 @@ struct FreeResponse {
 FreeResponse free_response(const scene::PreparedMachine& machine, double duration_s,
                            const Sampling& sampling);
 
-/// Speed ramp with an unbalance, without stops: 1X amplitude and phase over the speed, and their maximum.
+/// Speed ramp with an unbalance, without stops: amplitude and phase of 1X over the speed, and their maximum.
 struct RunUp {
   LinearRun run;
   Eigen::MatrixXd signal_m;                  ///< samples x sensors
   std::vector<double> angle_deg;             ///< direction of each sensor
   std::vector<std::vector<BodePoint>> bode;  ///< plot of each sensor
   std::vector<bool> sees;                    ///< flag of each sensor: it measures more than rounding
-  /// Speed of the largest 1X during the ramp, for each sensor. Unless the ramp is slow, it is behind the
-  /// critical speed. Empty where the sensor measures nothing, or 1X is largest at an end.
+  /// Speed of the largest 1X during the ramp, for each sensor. Unless the ramp is slow, this speed differs
+  /// from the critical speed, because the vibration lags. Empty where the sensor measures nothing, or 1X is
+  /// largest at an end.
   std::vector<std::optional<double>> speed_of_largest_1x_hz;
   /// Mode at the largest 1X, for each sensor, without the effect of the ramp. Empty where there is no such
   /// speed or no fit.

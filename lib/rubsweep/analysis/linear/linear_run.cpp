@@ -21,16 +21,16 @@ namespace odeint = boost::numeric::odeint;
 using std::numbers::pi;
 using State = std::vector<double>;
 
-/// Smallest step, as a share of a sample. With a smaller one the run would take too long.
+/// Smallest step, as a share of a sample. With smaller steps the run would take too long.
 constexpr double shortest_step = 1e-6;
 constexpr double relative_tolerance = 1e-10;
 
-/// Factor of all rotating forces: -i if these are turned back by a quarter turn.
+/// Factor of all rotating forces: -i if they act a quarter turn later, otherwise 1.
 std::complex<double> turned_back(const LinearRun& run) {
   return run.driven == Driven::quarter_behind ? std::complex<double>(0, -1) : 1;
 }
 
-/// Whether forces at twice the shaft's frequency act. They have no part in the phasor of 1X.
+/// Whether forces at twice the shaft's frequency act. They do not contribute to the phasor of 1X.
 bool feels_second(const scene::PreparedMachine& prepared, const LinearRun& run) {
   return run.driven == Driven::by_all && prepared.assembly.second_n.size() > 0;
 }
@@ -120,8 +120,8 @@ class Structure {
   std::vector<Tabled> tables_;
 };
 
-/// Initial state: the quiet motion of the first speed, with the unbalance at angle 0; at standstill the
-/// static deflection; for a machine that starts at rest the unloaded position.
+/// Initial state: the quiet motion of the first speed, with the unbalance at angle 0. At standstill it is the
+/// static deflection; for a machine that starts at rest, the unloaded position.
 State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run,
                     const Eigen::VectorXd& constant_n) {
   const double w = 2 * pi * run.from_hz;
@@ -143,8 +143,8 @@ State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run
   return state;
 }
 
-/// Impulses by the shaft's angle on a ramp. integrate::run has impulses for a constant speed only, where
-/// their times repeat exactly from turn to turn.
+/// Impulses at given shaft angles on a ramp. integrate::run has impulses for a constant speed only, because
+/// their times must repeat exactly from turn to turn.
 class ImpulsesOnARamp {
  public:
   ImpulsesOnARamp(const scene::PreparedMachine& prepared, const LinearRun& run) : run_(run) {
@@ -179,8 +179,8 @@ class ImpulsesOnARamp {
     double multiple = 0, phase_periods = 0, count = 0;
   };
 
-  /// Time at which from t + rate t^2 / 2 turns bring the next impulse of a train; infinite on a ramp that
-  /// stops before.
+  /// Time of the next impulse of a train: the shaft has then made from t + rate t^2 / 2 turns. Infinite on a
+  /// ramp that stops earlier.
   double instant_s(const Train& train) const {
     const double turns = (train.count + train.phase_periods) / train.multiple;
     const double square = run_.from_hz * run_.from_hz + 2 * run_.rate_hz_per_s * turns;
@@ -238,7 +238,7 @@ Eigen::MatrixXd run_linear(const scene::PreparedMachine& prepared, const LinearR
   Structure structure(prepared, run, constant_n);
   for (const structure::TabledSupport& support : prepared.assembly.tables) structure.add(support);
   if (run.kick && prepared.machine.kick) {
-    // Pulses of any cell will do, since their place and direction do not depend on the speed.
+    // The pulses of any cell may be used, since their position and direction do not depend on the speed.
     for (const scene::Pulse& pulse :
          scene::build_cell(prepared, pulse_speed_hz(prepared), scene::Eccentricity{0}).scene.pulses)
       structure.add(pulse);
@@ -254,7 +254,7 @@ Eigen::MatrixXd run_linear(const scene::PreparedMachine& prepared, const LinearR
   for (int k = 0; k < run.samples; ++k) {
     const double sample_at = k * run.sample_s;
     for (double target = 0; t < sample_at;) {
-      // The stepper keeps its last derivative, which belongs to the velocities before the impulse.
+      // The stepper stores its last derivative, which became wrong when the impulse changed the velocities.
       if (impulses.apply(t, state)) stepper.reset();
       target = std::min(sample_at, impulses.next_s());
       const double rest = target - t;

@@ -32,7 +32,8 @@ struct RampedOneX {
   double speed(double t) const { return 2 * pi * (from_hz + rate_hz_per_s * t); }
 };
 
-/// Part around the largest amplitude where it stays above `lowest_share` of it; a long part is thinned.
+/// Part around the largest amplitude in which the amplitude stays above `lowest_share` of the largest; a long
+/// part is thinned.
 RampedOneX stretch_about_top(std::span<const BodePoint> plot, double rate_hz_per_s) {
   const auto top = std::ranges::max_element(plot, {}, &BodePoint::amplitude_m);
   const auto low = [&](const BodePoint& point) {
@@ -123,7 +124,8 @@ Eigen::MatrixXcd columns_of(const RampedOneX& data, const Eigen::Vector2d& log_f
 
 constexpr double largest_log_ratio = -1e-3, smallest_log_ratio = -14;
 
-/// Part of 1X that the best linear combination of the columns leaves, real parts before imaginary parts.
+/// Part of 1X that remains after the best linear combination of the columns; real parts come before imaginary
+/// parts.
 Eigen::VectorXd residual(const RampedOneX& data, Eigen::Vector2d p) {
   p(1) = std::clamp(p(1), smallest_log_ratio, largest_log_ratio);
   const Eigen::MatrixXcd columns = columns_of(data, p);
@@ -133,7 +135,7 @@ Eigen::VectorXd residual(const RampedOneX& data, Eigen::Vector2d p) {
   return parts;
 }
 
-/// Start of the fit: best point of a grid over the speeds of the part and over damping ratios.
+/// Start of the fit: the best point of a grid over the speeds of the part and over damping ratios.
 Eigen::Vector2d best_start(const RampedOneX& data) {
   const double first = data.speed(0), last = data.speed(data.t_s(data.t_s.size() - 1));
   constexpr int frequencies = 24;

@@ -45,7 +45,7 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
     free.x(node, system.index(0, 2 * node)) = 1;
     free.y(node, system.index(1, 2 * node)) = 1;
   }
-  // Mean mass of both planes, where these differ.
+  // If the masses of the two planes differ, their mean is used.
   const Eigen::MatrixXd mass = (shaft.plane_mass(0) + shaft.plane_mass(1)) / 2;
   free.spin = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < mass.rows(); ++i) {
@@ -66,7 +66,7 @@ bool inside(Complex root, const structure::RateDisc& disc) {
   return std::abs(root - disc.centre) <= disc.radius;
 }
 
-/// Mass matrix that is positive definite: coordinates without mass get a very small one.
+/// Positive definite mass matrix: coordinates without mass get a very small mass.
 Eigen::MatrixXd with_mass(Eigen::MatrixXd mass) {
   constexpr double hardly_any = 1e-9;
   const double largest = mass.diagonal().maxCoeff();
@@ -88,11 +88,11 @@ bool never_grows(const structure::SpeedMatrices& matrices) {
   return structure::dissipates(matrices.mass, matrices.damping, matrices.stiffness, rounding);
 }
 
-/// Roots at one speed that a diagram must show, anywhere in the plane: whirl up to `fastest`, the two slowest
-/// whirls, and everything that grows.
+/// Roots at one speed that a diagram must show, wherever they lie in the complex plane: whirl up to
+/// `fastest`, the two slowest whirls, and all growing motions.
 std::vector<Complex> wanted_rates(const structure::SpeedMatrices& matrices, double fastest) {
   constexpr std::size_t slowest = 2;
-  // Larger rates belong to single elements, and smaller growth may be rounding.
+  // Larger rates belong to single elements; smaller growth may be rounding.
   constexpr double far = 1e3, growth = 1e-7;
   const bool dissipating = never_grows(matrices);
   std::vector<Complex> found, wanted;
@@ -108,8 +108,8 @@ std::vector<Complex> wanted_rates(const structure::SpeedMatrices& matrices, doub
   return wanted;
 }
 
-/// Indices of the speeds at which all roots are computed. The cost is cubic in the states; all together take
-/// about 1 s.
+/// Indices of the speeds at which all roots are computed. The cost grows with the third power of the number
+/// of states; all these speeds together take about 1 s.
 std::vector<std::size_t> looked_at(std::size_t speeds, Eigen::Index states) {
   constexpr double a_second = 3e8;
   const double affordable = a_second / std::pow(static_cast<double>(states), 3);
@@ -167,7 +167,7 @@ WhirlProblem::WhirlProblem(const FreeRotor& rotor, std::span<const double> speed
       }
     }
   }
-  // Roots with hardly any oscillation lie far to the left of the others and need discs of their own.
+  // Roots with almost no oscillation lie far to the left of the others and need separate discs.
   for (const Complex root : wanted) {
     if (std::ranges::none_of(discs_, [&](const auto& disc) { return inside(root, disc); }))
       discs_.push_back({root.real(), std::max(2 * fastest, 0.3 * std::abs(root.real()))});

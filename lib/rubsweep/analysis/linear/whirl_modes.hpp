@@ -17,7 +17,7 @@ namespace rubsweep::linear {
 struct FreeRotor {
   structure::FullSystem full;  ///< kit with all coordinates of its finite elements, without reduction
   /// Skew n x n matrix: i q^H spin q is the mass-weighted sum of squares of the forward whirl minus that of
-  /// the backward whirl. In these units q^H mass q is the sum of both.
+  /// the backward whirl; q^H mass q is the sum of the two.
   Eigen::MatrixXd spin;
   std::vector<double> position_m;  ///< places along the shaft, ascending; Jeffcott rotor: the disc, at 0
   Eigen::MatrixXd x, y;            ///< positions x n: deflections in metres = row * q
@@ -32,7 +32,7 @@ FreeRotor free_rotor(const model::Machine& machine);
 struct WhirlMode {
   std::complex<double> root_per_s;  ///< eigenvalue; its imaginary part > 0 is the whirl frequency in rad/s
   Eigen::VectorXcd shape;           ///< n, in the coordinates of the rotor
-  Eigen::VectorXcd state;           ///< n, the shape scaled to the length 1 in the norm of the mass
+  Eigen::VectorXcd state;           ///< n, the shape scaled to length 1 in the norm of the mass matrix
   double forward_share = 0;  ///< forward share of the mass-weighted squares, 0 to 1; 1: whirls with the shaft
 
   double frequency_hz() const;   ///< damped natural frequency
@@ -48,25 +48,25 @@ struct WhirlModes {
 /// Modal assurance criterion: 0 for orthogonal states, 1 for the same motion.
 double assurance(const WhirlMode& a, const WhirlMode& b);
 
-/// Eigenvalue problem (root^2 mass + root (damping + speed gyroscopic) + stiffness + speed circulatory) shape
-/// = 0 of a rotor in all of its coordinates.
+/// Eigenvalue problem of a rotor in all of its coordinates: (root^2 mass + root (damping + speed gyroscopic)
+/// + stiffness + speed circulatory) shape = 0.
 class WhirlProblem {
  public:
   /// Finds regions of the complex plane that contain all wanted roots: whirl of at most `up_to_hz`, whatever
-  /// its damping, the two slowest whirls, and everything that grows. If it takes no more than about a second,
-  /// all roots are computed at all `speeds_hz`, else only at some of them, including the first and the last.
-  /// At the remaining speeds whirl of at most `up_to_hz` is sought among rates up to a thousand times larger.
-  /// Faster whirl that is one of the two slowest, and growth at rates above four times `up_to_hz`, may be
-  /// missed there. Throws SolverError where an iteration does not converge.
+  /// its damping, the two slowest whirls, and all growing motions. If this takes no more than about a second,
+  /// all roots are computed at all `speeds_hz`, otherwise only at some of them, including the first and the
+  /// last. At the remaining speeds, whirl of at most `up_to_hz` is sought among rates up to a thousand times
+  /// larger. Two kinds of roots may be missed there: faster whirl that is one of the two slowest, and growth
+  /// at rates above four times `up_to_hz`. Throws SolverError where an iteration does not converge.
   WhirlProblem(const FreeRotor& rotor, std::span<const double> speeds_hz, double up_to_hz);
 
   /// Whirl modes at a speed, the slowest first; overdamped modes have no whirl and are left out. If roots
-  /// coincide (forward and backward whirl of an isotropic rotor at rest), the modes are those with the most
-  /// forward and the most backward whirl. Faster modes than `up_to_hz` may be included. Growth that may be
-  /// caused by rounding of the matrices is set to 0. Throws SolverError as the constructor does.
+  /// coincide (forward and backward whirl of an isotropic rotor at rest), the modes are the combinations with
+  /// the most forward and the most backward whirl. Faster modes than `up_to_hz` may be included. Growth that
+  /// may be caused by rounding of the matrices is set to 0. Throws SolverError as the constructor does.
   WhirlModes at(double speed_hz) const;
 
-  /// Mode at `speed_hz` that continues `mode` from a speed nearby; empty where there is doubt.
+  /// Mode at `speed_hz` that continues `mode` from a nearby speed; empty where no mode is surely the same.
   std::optional<WhirlMode> continued(const WhirlMode& mode, double speed_hz) const;
 
  private:

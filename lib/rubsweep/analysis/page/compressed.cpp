@@ -11,7 +11,7 @@ namespace rubsweep::page {
 std::string base64(std::string_view bytes) {
   namespace it = boost::archive::iterators;
   using Text = it::base64_from_binary<it::transform_width<std::string::const_iterator, 6, 8>>;
-  // The iterators would read beyond the end, up to a whole group of three bytes.
+  // The iterators read whole groups of three bytes, and would therefore read beyond the end.
   const std::size_t missing = (3 - bytes.size() % 3) % 3;
   std::string padded(bytes);
   padded.append(missing, '\0');
@@ -26,7 +26,8 @@ std::string compressed(std::string_view bytes) {
   const int code = ::compress2(reinterpret_cast<Bytef*>(result.data()), &size,
                                reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()),
                                Z_BEST_COMPRESSION);
-  if (code != Z_OK) throw std::bad_alloc();  // the buffer is large enough, so that only memory can be missing
+  // the buffer is large enough, so that the only possible error is lack of memory
+  if (code != Z_OK) throw std::bad_alloc();
   result.resize(size);
   return base64(result);
 }

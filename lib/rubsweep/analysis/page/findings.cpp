@@ -209,7 +209,7 @@ std::vector<std::string> findings(const MapTable& map, const sweep::Grid& grid) 
   std::vector<std::string> said{size_of(map, grid)};
   const auto rubs = [&](std::size_t row) {
     const std::string_view motion = map.word("class", row);
-    // Painted cells have no measures, so that their class decides.
+    // Cells that were not computed have no measures, so that only their class is used.
     if (map.word("status", row) == not_computed) {
       const auto motion_class = response::motion::motion_class_of(motion);
       return motion_class && *motion_class != MotionClass::unsettled && row_of(*motion_class).rubs;

@@ -66,7 +66,7 @@ std::vector<Value> in_order(const std::vector<Value>& rows,
   return ordered;
 }
 
-/// First column that is called `name`, or begins with it if `or_begins` is true.
+/// First column with the name `name` or, if `or_begins` is true, with a name that begins with it.
 std::optional<std::size_t> column_called(const batch::CsvReader& file, std::string_view name,
                                          bool or_begins = false) {
   const auto found = std::find_if(file.header().begin(), file.header().end(), [&](const std::string& header) {

@@ -12,8 +12,8 @@
 
 namespace rubsweep::page {
 
-/// One column of a map. It has `numbers` (NaN where empty) if all its cells are numbers or empty and not all
-/// are empty. Any other column has `words`.
+/// One column of a map. A column has `numbers` (NaN where empty) if all its cells are numbers or empty and at
+/// least one is a number. Any other column has `words`.
 struct MapColumn {
   std::string name;
   std::vector<double> numbers;
@@ -26,7 +26,7 @@ struct MapTable {
   std::string digest;   ///< digest of its study; empty: unknown
   std::size_t rows = 0;
   std::vector<MapColumn> columns;
-  std::vector<std::size_t> cells{};  ///< cells of the rows, ascending, where it was read with their grid
+  std::vector<std::size_t> cells{};  ///< cells of the rows, ascending, if the map was read with its grid
 
   const MapColumn* find(std::string_view name) const;  ///< null where there is none
 
@@ -40,9 +40,9 @@ struct MapTable {
 /// Reads a map. Throws IoError, with file:line for an error in the text.
 MapTable read_map_table(const std::filesystem::path& path);
 
-/// Reads a map of this grid, with its rows in the order of the cells, whatever their order in the file.
-/// Throws IoError also where a row is no cell of the grid, where a cell occurs twice, and where a cell is
-/// missing, except in a refined map.
+/// Reads a map of this grid; sorts its rows by cell, whatever their order in the file. Throws IoError also
+/// where a row is no cell of the grid, where a cell occurs twice, and where a cell is missing, except in a
+/// refined map.
 MapTable read_map_table(const std::filesystem::path& path, const sweep::Grid& grid);
 
 /// Line drawn across the map, such as the boundary of a domain.
@@ -53,11 +53,11 @@ struct Boundary {
       points;  ///< speed in Hz and unbalance in the unit of the map's second axis
 };
 
-/// Reads the lines of boundaries.csv. It has a column `speed_hz` and one for the unbalance, called `measure`
-/// (whirl_ratio or eccentricity_m) or `unbalance`, with or without a unit behind it. Rows are in order along
-/// a line. If there are columns `family` and `kind`, consecutive rows that agree in both belong to one line;
-/// a row without numbers ends a line. Other columns are ignored. Empty where the file does not exist, or
-/// names another `digest`. Throws IoError, with file:line for an error in the text.
+/// Reads the lines of boundaries.csv. It has a column `speed_hz` and a column for the unbalance, called
+/// `measure` (whirl_ratio or eccentricity_m) or `unbalance`, with or without a unit behind it. Rows follow
+/// the line. If there are columns `family` and `kind`, consecutive rows with the same family and kind belong
+/// to one line. A row without numbers ends a line. Other columns are ignored. Empty where the file does not
+/// exist, or has a `digest` of another study. Throws IoError, with file:line for an error in the text.
 std::vector<Boundary> read_boundaries(const std::filesystem::path& path, std::string_view measure,
                                       std::string_view digest);
 

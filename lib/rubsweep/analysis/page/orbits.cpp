@@ -19,7 +19,7 @@ struct Miss {
   double distance = 0;
 };
 
-/// Sample between `first` and `last` at which the straight line between these two has the largest error.
+/// Sample between `first` and `last` at which the straight line between these two has its largest error.
 Miss largest_miss(std::span<const std::vector<double>> signals, std::size_t first, std::size_t last) {
   Miss worst;
   for (std::size_t k = first + 1; k < last; ++k) {
@@ -102,7 +102,7 @@ void append_spectrum(std::string& bytes, const response::spectrum::FullSpectrum&
   bytes += lines + amplitudes;
 }
 
-/// Number of the `count` values that remain at this stride.
+/// Number of values that remain of `count` values at this stride.
 std::size_t left(std::size_t count, std::size_t stride) {
   const std::size_t first = stride / 2;
   return first < count ? (count - first - 1) / stride + 1 : 0;
@@ -160,7 +160,7 @@ std::vector<std::size_t> needed_samples(std::span<const std::vector<double>> sig
 
 void append_levels(std::string& bytes, std::span<const double> values) {
   const double low = values.empty() ? 0 : *std::min_element(values.begin(), values.end());
-  // Levels are counted from the rounded floats that are written, so that their rounding does not shift the
+  // Levels are measured from the rounded floats that are written, so that the rounding does not shift the
   // values.
   const auto base = static_cast<float>(low);
   const auto width = static_cast<float>(values.empty() ? 0 : extent(values) / levels);
@@ -201,7 +201,7 @@ std::vector<std::size_t> ThinnedGrid::cells() const {
 ThinnedGrid thinned_grid(std::size_t speeds, std::size_t unbalances, std::size_t most) {
   ThinnedGrid grid{speeds, unbalances};
   while (left(speeds, grid.speed_stride) * left(unbalances, grid.unbalance_stride) > most) {
-    // Thins the axis with the smaller stride, but an axis keeps at least one value.
+    // Thins the axis with the smaller stride, unless it has only one value left.
     const bool speed = left(unbalances, grid.unbalance_stride) == 1 ||
                        (grid.speed_stride <= grid.unbalance_stride && left(speeds, grid.speed_stride) > 1);
     ++(speed ? grid.speed_stride : grid.unbalance_stride);

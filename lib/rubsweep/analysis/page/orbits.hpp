@@ -16,9 +16,9 @@
 namespace rubsweep::page {
 
 /// Indices of the samples that suffice to draw some signals by straight lines, ascending, with the first and
-/// the last sample. Linear interpolation between them misses no sample of any signal by more than
-/// `tolerance`. `always` lists indices that are kept in any case, ascending. All signals have the same length
-/// of at least two samples. Method of Ramer, Douglas and Peucker, with distances measured along the axis of
+/// the last sample. Straight lines between these samples miss no sample of any signal by more than
+/// `tolerance`. `always`: indices that are kept in any case, ascending. All signals have the same length of
+/// at least two samples. Method of Ramer, Douglas and Peucker, with distances measured along the axis of
 /// values.
 std::vector<std::size_t> needed_samples(std::span<const std::vector<double>> signals, double tolerance,
                                         std::span<const std::size_t> always);
@@ -34,7 +34,7 @@ inline constexpr double drawing_tolerance = 1.0 / 400;
 inline constexpr double highest_order = 12, smallest_line = 1e-3;
 
 /// Appends `values` as levels. First come the smallest value and the width of one level, as two floats. Then
-/// each value follows as the difference between its level and the previous one, modulo 65536, in two bytes.
+/// follows for each value the difference between its level and the level before, modulo 65536, in two bytes.
 /// The differences are stored in byte planes.
 void append_levels(std::string& bytes, std::span<const double> values);
 
@@ -61,7 +61,7 @@ struct ThinnedGrid {
   std::vector<std::size_t> cells() const;
 };
 
-/// Densest part of a grid with at most `most` cells (>= 1) and similar strides on both axes.
+/// Densest part of a grid that has at most `most` cells (>= 1) and similar strides on both axes.
 ThinnedGrid thinned_grid(std::size_t speeds, std::size_t unbalances, std::size_t most);
 
 /// Number of cells whose motions are compressed together.
@@ -87,12 +87,12 @@ struct Wall {
   std::array<double, 2> normal{0, 1};    ///< flat wall: direction from the rest position towards it
   std::array<double, 2> centre_m{0, 0};  ///< centre of a wall around the rotor
   double clearance_m = 0;
-  bool at_orbit = true;  ///< true: the stop is at the point of the shaft whose orbit is drawn
+  bool at_orbit = true;  ///< true: the stop is at the shaft point whose orbit is drawn
 
   friend bool operator==(const Wall&, const Wall&) = default;
 };
 
-/// Walls in all cells. Only keys change them, speed and unbalance do not.
+/// Walls in all cells. They change with the values of keys, but not with speed and unbalance.
 struct Walls {
   std::vector<std::vector<Wall>> lists;  ///< different lists of walls, each once
   /// Index in `lists` for each combination of values of the axes over keys, in the order of the cells.
@@ -100,8 +100,7 @@ struct Walls {
   std::vector<std::size_t> list_of_keys;
 };
 
-/// Walls of the study. The list is empty for keys whose values are not allowed: such cells have no motion,
-/// either.
+/// Walls of the study. The list is empty for forbidden values of keys; their cells have no motion, either.
 Walls walls_of(const sweep::Study& study);
 
 }  // namespace rubsweep::page

@@ -50,12 +50,12 @@ struct PageContents {
   std::vector<Boundary> boundaries;
   Orbits orbits;
   ThinnedGrid kept;      ///< grid of the orbits
-  bool refined = false;  ///< true: orbits are of some computed cells of a refined map, not of a grid
+  bool refined = false;  ///< true: the orbits belong to some computed cells of a refined map, not to a grid
 };
 
-/// Page as one HTML file that needs no other: style, script and data are inside, and its content security
-/// policy forbids to load or run anything else. Equal contents give equal bytes. Characters that are special
-/// in HTML are escaped.
+/// Page as one HTML file that needs no other file. Style, script and data are inside, and its content
+/// security policy forbids to load or run anything else. Equal contents give equal bytes. Characters that are
+/// special in HTML are escaped.
 std::string page_text(const PageContents& contents);
 
 }  // namespace rubsweep::page

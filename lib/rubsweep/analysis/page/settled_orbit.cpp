@@ -16,7 +16,7 @@ namespace {
 
 using response::motion::MotionClass;
 
-/// Numbers of last turns that are used for the section, the spectrum and the drawing.
+/// Numbers of turns at the end of the motion that are used for the section, the spectrum and the drawing.
 struct Lengths {
   int section = 1, spectrum = 1, drawn = 1;
   int all() const { return std::max({section, spectrum, drawn}); }
@@ -45,8 +45,7 @@ class Recorder {
 
   int steps_per_turn() const { return orbit_.steps_per_turn; }
 
-  /// Adds a turn of steps_per_turn() samples. `left`: number of turns that are still to come, including this
-  /// one.
+  /// Adds a turn of steps_per_turn() samples. `left`: number of remaining turns, including this one.
   void add(std::span<const double> samples, int left) {
     const std::size_t stride = static_cast<std::size_t>(orbit_.steps_per_turn / samples_per_turn_);
     for (std::size_t k = 0; k * reader_.size() < samples.size(); ++k) {

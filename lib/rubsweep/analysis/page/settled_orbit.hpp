@@ -23,11 +23,12 @@ struct KnownMotion {
 
 /// The settled motion of one cell, long enough to be drawn. Lengths in metres, as deviations from rest.
 struct SettledOrbit {
-  long first_revolution = 0;  ///< number since the start of the kick, where the signals begin
+  /// number of the revolution at which the signals begin, counted from the start of the kick
+  long first_revolution = 0;
   int turns = 0;
   int steps_per_turn = 0;
   /// Signals in m: x and y of the rotor, then for each stop x and y of the casing and the gap (< 0:
-  /// penetration). Each has turns x steps_per_turn + 1 equidistant samples, both ends included.
+  /// penetration). Each signal has turns x steps_per_turn + 1 equidistant samples, both ends included.
   std::vector<std::vector<double>> signals;
   std::vector<std::complex<double>> section_m;  ///< one per turn, over more turns if aperiodic
   response::spectrum::FullSpectrum spectrum;    ///< spectrum over the same window as in the map
@@ -42,9 +43,9 @@ inline constexpr int fewest_steps_per_turn = 256;
 /// Runs a cell of `study` again until its motion has settled, and records it. A periodic motion is recorded
 /// for one period, as soon as its section returns within 1e-5 clearances. A rotor at rest is recorded for one
 /// turn, from its closed form. A proven motion without a period is recorded one window after its proof, any
-/// other at the end of response.max_revolutions. The section of a motion without a period covers two windows.
-/// Sampling and solver are those of the map, so that rubtrace shows the same. Empty where the cell has no
-/// motion: it failed, could not start, or failed when continued.
+/// other motion at the end of response.max_revolutions. The section of a motion without a period covers two
+/// windows. Sampling and solver are those of the map, so that rubtrace shows the same motion. Empty where the
+/// cell has no motion: it failed, could not start, or failed when continued.
 std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared,
                                           std::size_t cell, const KnownMotion& known,
                                           response::motion::Workspace& workspace);

@@ -17,7 +17,8 @@ struct RampSupport {
 };
 
 /// Terms that a speed ramp adds to the right-hand side of a scene at its reference speed. Lengths are scaled
-/// by L, time by the reference speed. W is the shaft speed / reference speed, phi the shaft angle.
+/// by L, time by the reference speed. W is the shaft speed divided by the reference speed, phi the shaft
+/// angle.
 struct RampForces {
   double start_speed = 0;       ///< shaft speed / reference speed at the start
   double acceleration = 0;      ///< change of W per radian of rotation at reference speed

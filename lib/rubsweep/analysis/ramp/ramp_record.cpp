@@ -8,7 +8,7 @@
 namespace rubsweep::ramp {
 namespace {
 
-/// Displacement at time t_s between two samples, by the cubic through displacements and velocities of both.
+/// Displacement at time t_s between two samples, by the cubic through their displacements and velocities.
 std::complex<double> between(const RampSample& a, const RampSample& b, double t_s) {
   const double h = b.t_s - a.t_s, x = (t_s - a.t_s) / h;
   const Eigen::Vector2d z = (1 + 2 * x) * (1 - x) * (1 - x) * a.displacement_m +

@@ -27,14 +27,14 @@ struct RampOrbit {
   std::vector<RampSample> samples;
 };
 
-/// Full spectrum over orders. Samples at equal shaft angles keep an order one line even while the speed
-/// changes, and a Hann window keeps a resonance near its orders.
+/// Full spectrum over orders. With samples at equal shaft angles an order is a single line even while the
+/// speed changes. A Hann window keeps a resonance near its orders.
 struct OrderSpectrum {
   double t_s = 0, speed_hz = 0;  ///< time and speed in the middle of the turns
   response::spectrum::FullSpectrum spectrum;
 };
 
-/// Range of speeds in which the rotor was never without contact for `most_free_turns` turns or longer.
+/// Range of speeds in which the rotor was never free of contact for `most_free_turns` turns or longer.
 struct RubbingSpan {
   double from_hz = 0, to_hz = 0;  ///< ends of the range in the order of the ramp
 };
@@ -67,7 +67,7 @@ class RampRecord {
 
   SpeedRamp ramp_;
   std::size_t points_;       ///< number of points of the envelope
-  long window_ = 0, every_;  ///< number of the present spectrum; every how many are kept
+  long window_ = 0, every_;  ///< number of the present spectrum; `every_`: one of so many spectra is kept
   long next_angle_sample_ = 0;
   std::optional<RampSample> last_;
   std::optional<double> last_contact_s_;

@@ -29,7 +29,8 @@ void set_start(const scene::PreparedMachine& machine, const SpeedRamp& ramp, sce
   scene.displacement_m = cell.scene.displacement_m;
   scene.velocity_m_per_s = cell.scene.velocity_m_per_s;
   if (cell.start != scene::Start::quiet || machine.machine.start) return;
-  // The quiet motion of a map begins at the smallest gap, a ramp with the mark of the shaft along +x.
+  // The quiet motion of a map begins at the smallest gap, whereas a ramp begins with the mark of the shaft
+  // along +x.
   const double w = cell.scene.speed_rad_per_s;
   Eigen::VectorXcd force = ramp.eccentricity_m * w * w * machine.assembly.system.unbalance_kg;
   if (machine.assembly.bow_n.size() > 0) force += machine.assembly.bow_n;

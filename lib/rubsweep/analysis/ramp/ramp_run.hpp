@@ -26,7 +26,7 @@ struct SpeedRamp {
   double angle_rad(double t_s) const {
     return 2 * std::numbers::pi * (from_hz * t_s + rate_hz_per_s * t_s * t_s / 2);
   }
-  /// Time in s after which the shaft has made `turns` turns, at most as many as the ramp has.
+  /// Time in s at which the shaft has made `turns` turns, or as many as the ramp has.
   double time_s(double turns) const {
     return 2 * turns / (from_hz + std::sqrt(std::max(0.0, from_hz * from_hz + 2 * rate_hz_per_s * turns)));
   }
@@ -38,10 +38,10 @@ struct RampSample {
   Eigen::Vector2d displacement_m{0, 0}, velocity_m_per_s{0, 0};
 };
 
-/// Part of a ramp as long as one turn at its fastest speed; the last part is shorter.
+/// Part of a ramp, as long as one turn at the ramp's fastest speed; the last part is shorter.
 struct RampStretch {
   double begin_s = 0, end_s = 0;
-  std::vector<RampSample> samples;  ///< equidistant samples from the begin on, without the end
+  std::vector<RampSample> samples;  ///< equidistant samples, including the begin but not the end
   int hits = 0;                     ///< number of contacts that began
   double touching_s = 0;            ///< time with at least one contact touching
   bool touched = false;
@@ -52,10 +52,10 @@ struct RampStretch {
 /// Runs a machine with its stops while its shaft speed changes, by dopri5 with every change of contact mode
 /// located. `on_stretch` gets each stretch with `samples` samples. The unbalance forces are e Re(U (phi'^2 -
 /// i phi'') e^{i phi}). Gyroscopic moment, rotating damping and speed of the rubbing surfaces follow phi'.
-/// The run starts on the quiet motion of the first speed, with the mark of the shaft along +x, or at rest in
-/// the static position if that motion touches. The machine's kick is left out. Returns how the run ended; no
-/// stretch follows after a failure. Throws ConfigError for machines that a ramp cannot handle: faulty
-/// bearings, static forces that press the rotor through a wall, a speed without quiet motion.
+/// The run starts on the quiet motion of the first speed, with the mark of the shaft along +x; if that motion
+/// touches, it starts at rest in the static position. The machine's kick is left out. Returns how the run
+/// ended; no stretch follows after a failure. Throws ConfigError for machines that a ramp cannot handle:
+/// faulty bearings, static forces that press the rotor through a wall, a speed without quiet motion.
 integrate::run::Outcome run_ramp(const scene::PreparedMachine& machine, const SpeedRamp& ramp,
                                  const integrate::run::SolverOptions& solver, int samples,
                                  const std::function<void(const RampStretch&)>& on_stretch);

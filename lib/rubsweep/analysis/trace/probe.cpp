@@ -29,8 +29,9 @@ Complex geometric(double step_rad, std::size_t count) {
   return sum;
 }
 
-/// Energy per reading that remains of `z` after a fit of lines at multiples of 1/n, with 0X. Since readings
-/// are equidistant, the normal equations depend only on the difference of two lines.
+/// Energy per reading that remains of `z` after a fit of lines at multiples of 1/n, including 0X. Since
+/// readings are equidistant, the normal equations depend only on the difference between the orders of two
+/// lines.
 double left_by_lines(std::span<const Complex> z, double turns_per_reading, int n) {
   const double highest = std::min(highest_order, below_folding / turns_per_reading);
   const int k_most = static_cast<int>(std::floor(highest * n));

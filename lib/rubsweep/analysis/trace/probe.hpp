@@ -24,7 +24,7 @@ struct Probes {
 /// Largest number of samples per turn between which readings are interpolated.
 inline constexpr int probe_samples_per_revolution = 4096;
 
-/// Number of finer steps for each of `samples_per_revolution`, so that there are at most
+/// Number of finer steps for each of `samples_per_revolution`; all together are at most
 /// `probe_samples_per_revolution`. A cubic through values and rates at 4096 samples misses a vibration of
 /// order p by (2 pi p / 4096)^4 / 384 of its amplitude: 1e-7 at order 50.
 int probe_refinement(int samples_per_revolution);
@@ -53,8 +53,8 @@ class ProbeReader {
 /// Numbers of two probes that measure the motion at one place in two directions.
 using ProbePair = std::pair<std::size_t, std::size_t>;
 
-/// First two probes at one place whose directions differ by at least 10 degrees from being parallel; empty
-/// where there are none. `places_m`: position of each probe along the shaft.
+/// First two probes at one place whose directions are not parallel by at least 10 degrees; empty where there
+/// are none. `places_m`: position of each probe along the shaft.
 std::optional<ProbePair> pair_of(const std::vector<double>& angle_deg, const std::vector<double>& places_m);
 
 /// Displacement z = x + iy of the shaft at the pair's place, in metres.
@@ -64,26 +64,26 @@ std::vector<std::complex<double>> displacement_of(const Eigen::MatrixXd& reading
 /// Period of a pair's readings at the end of a run, found from the readings alone.
 struct ProbePeriod {
   int readings = 0;
-  /// Smallest n up to max_order for which lines at multiples of 1/n explain the readings; empty where there
-  /// is none.
+  /// Smallest n up to max_order for which lines at multiples of 1/n explain the readings; empty where no n
+  /// does.
   std::optional<int> period;
-  /// Share of the energy, without 0X, that lines of this n (or of the best n if none suffices) do not
-  /// explain.
+  /// Share of the energy, without 0X, that lines at multiples of 1/n do not explain (with the best n if none
+  /// suffices).
   double unexplained_share = 0;
   double allowed_share = 0;  ///< largest unexplained share with which readings count as explained
 };
 
 /// Finds the smallest period n, up to `max_order` turns, that explains the last readings of `turns` turns.
-/// For each n, lines at the orders k / n, |k / n| up to 8 and below half the sampling rate, are fitted by
-/// least squares. A fit explains the readings if it leaves at most a thousandth of their energy without 0X,
-/// plus 1.5 times the energy of the noise. This is ten times what two windows of a map may leave, because
-/// vibration above half the sampling rate is folded to orders without a line. If both motions repeat, probes
-/// cannot distinguish a rotor that rubs from one that does not.
+/// For each n, lines at the orders k / n are fitted by least squares, with |k / n| up to 8 and below half the
+/// sampling rate. A fit explains the readings if it leaves at most a thousandth of their energy without 0X,
+/// plus 1.5 times the energy of the noise. This limit is ten times that for two windows of a map, because
+/// vibration above half the sampling rate is folded to orders without a line. Probes cannot distinguish a
+/// rotor that rubs from a rotor that does not, if both motions repeat.
 ProbePeriod find_period(const std::vector<std::complex<double>>& displacement_m, double sample_s,
                         double speed_hz, double noise_m, int turns, int max_order);
 
 /// Full spectrum of the last readings. Its window is nearly a whole number of periods, each of `period`
-/// turns, as long as fits into the second half of `turns` turns.
+/// turns: as many as fit into the second half of `turns` turns.
 response::spectrum::FullSpectrum probe_spectrum(const std::vector<std::complex<double>>& displacement_m,
                                                 double sample_s, double speed_hz, int turns, int period,
                                                 response::spectrum::SpectrumWorkspace& workspace);

@@ -121,7 +121,7 @@ std::vector<SpectralLine> largest_lines(const response::spectrum::FullSpectrum& 
   const auto amplitude = [&](int k) { return k < first || k > last || k == 0 ? 0.0 : spectrum.amplitude(k); };
   std::vector<SpectralLine> lines;
   for (int k = first; k <= last; ++k) {
-    // The first of two equal neighbouring lines counts as the maximum.
+    // Where two neighbouring lines are equal, the first one counts as the maximum.
     if (amplitude(k) > amplitude(k - 1) && amplitude(k) >= amplitude(k + 1)) {
       lines.push_back({spectrum.order(k), amplitude(k)});
     }

@@ -15,13 +15,13 @@ namespace rubsweep::trace {
 std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m,
                           const model::ShownLengths& shown = {});
 
-/// The `count` largest lines without 0X, the largest first. A line must be above both neighbours, as a line
-/// spread over several by an incomplete period counts once. It must also be significant: at least 1e-3 of the
-/// largest line and 1e-6 of the clearance.
+/// The `count` largest lines without 0X, the largest first. A line must be above both neighbours, so that a
+/// line which an incomplete period spreads over several counts once. A line must also be significant: at
+/// least 1e-3 of the largest line and 1e-6 of the clearance.
 std::vector<response::spectrum::SpectralLine> largest_lines(const response::spectrum::FullSpectrum& spectrum,
                                                             std::size_t count, double clearance_m);
 
-/// One line on the period that a pair of probes finds. `probes` must have all probes of the run.
+/// One line of text on the period that a pair of probes finds. `probes` must have all probes of the run.
 std::string probe_summary(const ProbePeriod& period, const ProbePair& pair, const Probes& probes,
                           const model::ShownLengths& shown = {});
 

@@ -32,7 +32,7 @@ class Recorder {
     add_section(integrate::run::scaled_initial_state(scene));
   }
 
-  /// Adds samples and events of a turn; of a failed turn those before its failure.
+  /// Adds samples and events of a turn. Of a failed turn, adds only samples and events before its failure.
   void add_samples(const integrate::run::TurnReport& turn) {
     std::vector<TracedState> states;
     auto passed = turn.switches.begin();
@@ -109,7 +109,7 @@ class Recorder {
   StateReader reader_;
   const TraceOptions& options_;
   Trace& trace_;
-  int refinement_ = 1;  ///< one sample out of this many is traced; the probes use all
+  int refinement_ = 1;  ///< the trace keeps one of this many samples; the probes use all
   std::optional<ProbeReader> probes_;
   std::deque<std::vector<TracedState>> trajectory_;  ///< samples of each turn
 };
@@ -117,8 +117,8 @@ class Recorder {
 }  // namespace
 
 double trace_bytes(const TraceOptions& options, std::size_t stops, Eigen::Index coordinates) {
-  // Largest size of a number in a table, with all digits and its comma. A growing list or text may allocate
-  // twice its contents.
+  // Largest size of a number in a table, with all digits and its comma. `copies`: a growing list or text may
+  // allocate twice its contents.
   constexpr double number_bytes = 21, copies = 2;
   const double of_coordinates = 2 * static_cast<double>(coordinates);
   const double state_bytes = sizeof(TracedState) + sizeof(StopState) * static_cast<double>(stops) +

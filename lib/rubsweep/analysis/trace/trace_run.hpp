@@ -21,7 +21,7 @@ struct TraceOptions {
   int samples_per_revolution = 0;  ///< >= 4
   int window_revolutions = 0;      ///< >= 1: turns at the end of the run that `last_window` may use
   std::optional<long> trajectory_revolutions =
-      std::nullopt;  ///< turns at the end that the trajectory contains; empty: all
+      std::nullopt;  ///< number of turns at the end that the trajectory contains; empty: all turns
   std::optional<Probes> probes = std::nullopt;
 };
 
@@ -56,7 +56,7 @@ struct Trace {
   /// Samples of the last window, or of the whole run if shorter.
   std::vector<std::complex<double>> displacement_m;
   Eigen::MatrixXd readings_m;                   ///< readings x probes in m, over all whole turns
-  std::optional<long> last_contact_revolution;  ///< 1 is the first; empty: no wall was touched
+  std::optional<long> last_contact_revolution;  ///< counted from 1; empty: no wall was touched
   integrate::run::Effort effort;
 };
 
@@ -71,8 +71,8 @@ struct TraceWindow {
   response::spectrum::FullSpectrum spectrum;
 };
 
-/// The last `window_revolutions` of a trace, or the whole of a shorter one. For a motion of this `order` it
-/// is cut to whole periods if one fits. This is the window of the map's spectrum.
+/// The last `window_revolutions` of a trace, or the whole of a shorter trace. For a motion of this `order`
+/// the window is cut to whole periods if at least one fits. This is the window of the map's spectrum.
 TraceWindow last_window(const Trace& trace, const TraceOptions& options, std::optional<int> order,
                         response::spectrum::SpectrumWorkspace& workspace);
 

@@ -23,8 +23,8 @@ namespace {
 using Law = integrate::law::Dynamics<Eigen::Dynamic, false>;
 using State = std::vector<double>;
 
-/// Largest relative slip of a contact that sticks. Rounding lets this slip grow with the steps since sticking
-/// began, beyond the tolerance by which a run locates the end of a slip.
+/// Largest relative slip of a contact that sticks. Rounding lets this slip grow with the number of steps
+/// since sticking began. It may exceed the tolerance by which a run locates the end of a slip.
 constexpr double sticking_slip = 1e-9;
 
 bool stands(const Law& law, std::size_t i, const State& state) {
@@ -37,14 +37,16 @@ bool stands(const Law& law, std::size_t i, const State& state) {
 void enter(Law& law, const State& state) {
   for (std::size_t i = 0; i < law.modes().size(); ++i) {
     const auto& c = law.system().contacts[i];
-    law.modes()[i] = contact::Mode::sprung;  // open, an annular stop's gap would be a difference of squares
+    // if open, an annular stop's gap would be a difference of squares, with more rounding
+    law.modes()[i] = contact::Mode::sprung;
     const contact::Kinematics k = law.kinematics(i, state, state);
     law.modes()[i] = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
     law.slips()[i] = law.slip(i, state) >= 0 ? contact::Slip::forward : contact::Slip::backward;
   }
 }
 
-/// Sum of the external forces on the structure: those of its own matrices and of contacts are not included.
+/// Sum of the external forces on the structure. The forces of its own matrices and of contacts are not
+/// included.
 Eigen::VectorXd forcing_n(const scene::Scene& scene, double turns) {
   const std::complex<double> turn = std::polar(1.0, 2 * std::numbers::pi * (turns - std::floor(turns)));
   Eigen::VectorXd force = scene.constant_n + (scene.harmonic_n * turn).real();

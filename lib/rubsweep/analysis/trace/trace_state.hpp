@@ -12,9 +12,9 @@
 
 namespace rubsweep::trace {
 
-/// Friction forces of contacts with dry friction, at one instant of a run. A contact that slips has mu S. The
-/// friction of a contact that sticks does not follow from its own motion. It is the force within mu S that
-/// keeps the slip zero against all forces on the structure at this instant.
+/// Friction forces of contacts with dry friction, at one instant of a run. A contact that slips has the force
+/// mu S. The friction of a contact that sticks cannot be computed from its own motion. It is the force within
+/// mu S that keeps the slip zero against all forces on the structure at this instant.
 class DryForces {
  public:
   explicit DryForces(const scene::Scene& scene);
@@ -33,12 +33,13 @@ class DryForces {
 };
 
 /// Energy of a vibration at one instant, and the power of everything that changes it. Between two instants
-/// without an impulse the sum kinetic + elastic + contact grows by the integral of the four powers. The
-/// rotation of the shaft is not included. The friction power is therefore the power of the drive minus the
-/// heat at the sliding surfaces.
+/// without an impulse, the sum kinetic + elastic + contact grows by the integral of the four powers. The
+/// rotation of the shaft is not included, so the friction power is the power of the drive minus the heat at
+/// the sliding surfaces.
 struct Energy {
-  double kinetic_j = 0;          ///< v M v / 2
-  double elastic_j = 0;          ///< q K q / 2 of rotor, supports and casings; weight counts as a force
+  double kinetic_j = 0;  ///< v M v / 2
+  /// q K q / 2 of rotor, supports and casings; the weight is one of the forces
+  double elastic_j = 0;
   double contact_j = 0;          ///< energy in the springs of the contacts
   double forcing_w = 0;          ///< power of unbalance, bow, weight and kick
   double damping_w = 0;          ///< power of the structure's damping, and of asymmetric stiffness
@@ -87,12 +88,12 @@ class StateReader {
   std::size_t size() const { return 2 * static_cast<std::size_t>(scene_.structure.coordinates()); }
   std::size_t stops() const { return scene_.contacts.size(); }
 
-  /// Reads a state with forces and energies. `turns`: turns of the shaft since t = 0, which determine
-  /// rotating forces and the kick. Throws SolverError where `scaled` has another size.
+  /// Reads a state with forces and energies. `turns`: turns of the shaft since t = 0, from which rotating
+  /// forces and the kick follow. Throws SolverError where `scaled` has another size.
   TraceState read(std::span<const double> scaled, double turns) const;
   /// Reads only positions and velocities, which is faster than forces and energies.
   TraceState read_motion(std::span<const double> scaled) const;
-  /// Takes note of a change of contact mode before the next state is read. The damping of a curved law may
+  /// Takes note of a change of contact mode before the next state is read: the damping of a curved law may
   /// depend on the speed at which contact began.
   void pass(const integrate::run::ModeSwitch& change);
 

@@ -42,12 +42,12 @@ struct LinearLaw {
   double spring = 0, damper = 0, friction = 0;
 };
 
-/// Laws of the modes, stated only here: every solver reads this table, so that a change of the law is made
-/// once. (A local table would be made anew by every call.)
+/// Laws of the modes. Every solver reads this table, so that a change of the law is made in one place. (A
+/// local table would be built anew in every call.)
 inline constexpr std::array<LinearLaw, mode_count> linear_laws{{{0, 0, 0}, {2, 0, 1}, {1, 1, 1}, {0, 0, 1}}};
 constexpr LinearLaw law_of(Mode mode) { return linear_laws[static_cast<std::size_t>(mode)]; }
 
-/// Law of one mode, continued smoothly beyond the mode's own region so that a step may overshoot its end.
+/// Law of one mode, continued smoothly beyond the region of the mode, so that a step may overshoot its end.
 constexpr NormalForce force_in_mode(Mode mode, double stiffness, double damping, double penetration,
                                     double closing_speed) {
   if (mode == Mode::open) return {};
@@ -63,7 +63,7 @@ constexpr ForceSlopes slopes_in_mode(Mode mode, double stiffness, double damping
 }
 
 /// One way out of a mode. The guard is spring K p + damper d v, or spring p if it does not depend on the
-/// damper. It is negative inside the mode; when it rises through zero, the mode `next` follows.
+/// damper. It is negative inside the mode. When it rises through zero, the mode `next` follows.
 struct GuardForm {
   double spring = 0, damper = 0;
   Mode next = Mode::open;
@@ -124,8 +124,8 @@ constexpr Guards guards_of(Mode mode, double stiffness, double damping, const Ki
 
 /// Mode to which a guard from `mode` towards `next` really leads. A sprung contact becomes clamped (at d v =
 /// K p) while its penetration rises, and released (at d v = -K p) while it falls. With little damping both
-/// guards are within rounding of p = 0, and it is chance which one a solver meets first. The sign of v
-/// therefore decides.
+/// guards are within rounding of p = 0, and chance decides which of the two a solver finds first. The sign of
+/// v therefore decides.
 constexpr Mode mode_through(Mode mode, Mode next, const Kinematics& kinematics) {
   if (mode != Mode::sprung || next == Mode::open) return next;
   return kinematics.closing_speed > 0 ? Mode::clamped : Mode::released;
@@ -133,8 +133,8 @@ constexpr Mode mode_through(Mode mode, Mode next, const Kinematics& kinematics) 
 
 /// Mode just after an instant at which `mode` may have ended: follows every guard that is at or past zero and
 /// still rising, until there is none. A guard past zero but falling is a return from a graze, not an event.
-/// Four steps are enough: they visit every mode, and a state with all guards at zero and rising cannot exist.
-/// `guards_in(mode)` returns the guards armed in a mode.
+/// Four steps are enough, because they visit every mode, and because not all guards can be at zero and rising
+/// at once. `guards_in(mode)` returns the guards armed in a mode.
 template <class GuardsIn>
 constexpr Mode mode_after(Mode mode, const Kinematics& kinematics, const GuardsIn& guards_in) {
   for (int hop = 0; hop < mode_count; ++hop) {

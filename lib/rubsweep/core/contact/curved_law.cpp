@@ -15,7 +15,7 @@ namespace rubsweep::contact {
 namespace {
 
 /// Function whose root is the damping factor of a restitution; positive below the root. At small factors,
-/// where its terms cancel, its power series divided by the square of the factor.
+/// where its terms cancel, its power series is used, divided by the square of the factor.
 double excess(double restitution, double factor) {
   if (factor < 1e-2) {
     double sum = 0, x = 1, e = restitution * restitution, sign = 1;
@@ -34,7 +34,7 @@ double root(const Function& function, double low, double high) {
 }
 
 double delivering_factor(double e) {
-  // Root with both logarithms expanded to third order; half of it is surely below the true root.
+  // Approximate root, from both logarithms expanded to third order. Half of it is surely below the true root.
   const double about = 1.5 * (1 - e) / (1 - e + e * e), highest = std::nextafter(1 / e, 0.0);
   const auto at = [e](double factor) { return excess(e, factor); };
   // The factor of a small restitution is 1 / e to the last digit.

@@ -13,10 +13,10 @@ struct Stop;
 
 namespace rubsweep::contact {
 
-/// Factor x = c v0 of the force S(p) (1 + c p') of an impact that begins with the speed v0, by the formulas
-/// of Hunt & Crossley (1975) 3 (1 - e) / 2, Lankarani & Nikravesh (1990) 3 (1 - e^2) / 4 or Flores et al.
-/// (2011) 8 (1 - e) / (5 e). `delivered` is the factor with which a free impact returns e: (1 + e) x = ln((1
-/// + x) / (1 - e x)), the first integral of m p'' = -S(p) (1 + c p'), valid for every S.
+/// Factor x = c v0 of the force S(p) (1 + c p') of an impact that begins with the speed v0. Formulas: Hunt &
+/// Crossley (1975) 3 (1 - e) / 2, Lankarani & Nikravesh (1990) 3 (1 - e^2) / 4, Flores et al. (2011) 8 (1 -
+/// e) / (5 e). `delivered` is the factor for which a free impact has the restitution e: (1 + e) x = ln((1 +
+/// x) / (1 - e x)), the first integral of m p'' = -S(p) (1 + c p'), valid for every S.
 double damping_factor(model::ImpactDamping damping, double restitution);
 
 /// Restitution e in (0, 1] of a free impact with this factor, by the same first integral.
@@ -35,10 +35,10 @@ class CurvedLaw {
 
   /// Damping factor x = c v0, without unit.
   double factor() const { return factor_; }
-  /// Approach speed v0 used for all impacts; empty: each impact has its own.
+  /// Approach speed v0 used for all impacts; empty: each impact uses its own speed.
   const std::optional<double>& approach_m_per_s() const { return approach_m_per_s_; }
-  /// Slowest approach that is used as it is, in clearances per radian of rotation. Without this bound a graze
-  /// would be damped without limit.
+  /// Smallest approach speed that is used unchanged, in clearances per radian of rotation. Without this bound
+  /// the damping of a graze would be unlimited.
   static constexpr double slowest_approach = 1e-3;
 
   bool remembers() const { return factor_ > 0 && !approach_m_per_s_; }
@@ -50,16 +50,16 @@ class CurvedLaw {
   double factor_ = 0;
   std::optional<double> approach_m_per_s_;
   /// The line contact of Hertz has p = a F (b - ln F / 2) up to the force at which the contact is as wide as
-  /// long, and beyond it the tangent. Inverse: F = -2 q / W(-2 q e^{-2 b}), q = p / a, with the lower branch
-  /// of Lambert's function W.
+  /// long, and the tangent there for larger forces. Inverse: F = -2 q / W(-2 q e^{-2 b}), q = p / a, with the
+  /// lower branch of Lambert's function W.
   double a_ = 0, b_ = 0;
   numerics::Pchip table_;
   double end_m_ = 0, end_n_ = 0, end_slope_ = 0;  ///< start of the tangent beyond a line contact or table
   std::vector<double> energy_j_;                  ///< energies at the points of a table
 };
 
-/// Secant of a non-linear law at a penetration of 1/20 of the clearance, N/m: the stiffness for estimates of
-/// a contact.
+/// Secant stiffness of a non-linear law at a penetration of 1/20 of the clearance, in N/m. Used to estimate
+/// the stiffness of a contact.
 double secant_n_per_m(const model::Stop& stop);
 
 /// Mode of a contact with c = `damping`: open, sprung, or released where the force would pull.

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Index;
 
-/// Smallest mobility that counts as independent, as a share of the surface's own. Tangents at an angle of
-/// 1e-7 rad are independent; a smaller remainder is rounding.
+/// Smallest mobility that counts as independent, as a share of the surface's own mobility. Tangents at an
+/// angle of 1e-7 rad are independent; a smaller remainder is rounding.
 constexpr double independent = 1e-14;
 // Tolerances of an acceleration, as shares of the sum of its terms.
 constexpr double still = 1e-13;   ///< a smaller acceleration sets no friction free
@@ -21,9 +21,9 @@ constexpr double lawful = 1e-11;  ///< largest error that the check allows
 
 /// Minimum over the box by a primal active set method (Stark & Parker, Bounded-variable least-squares,
 /// Computational Statistics 10 (1995) 129-141). The friction of a surface is free, or fixed at one side of
-/// its box. Each step frees a friction that its acceleration pulls inwards. Then all free ones move to their
-/// common minimum, or to the first side on the way. Every step lowers the same function, so that no set of
-/// free frictions recurs.
+/// its box. Each step frees a friction that its acceleration pulls inwards. Then all free frictions move to
+/// their common minimum, or to the first side on the way. Every step lowers the same function, so that no set
+/// of free frictions recurs.
 class FrictionBox {
  public:
   FrictionBox(const StickMobility& mobility, const StickVector& acceleration, const StickVector& limit)
@@ -34,8 +34,8 @@ class FrictionBox {
     }
   }
 
-  /// Active-set iteration. The bound on its steps is far above the usual number, and ends it where rounding
-  /// makes it cycle; `obeys` then rejects the result.
+  /// Active-set iteration. The number of steps is limited far above the usual number, in case rounding makes
+  /// the iteration cycle; `obeys` then rejects the result.
   void minimise() {
     const Index most = 32 * limit_.size();
     for (Index step = 0; step < most; ++step) {
@@ -71,8 +71,8 @@ class FrictionBox {
     return found;
   }
 
-  /// Moves the free frictions to their common minimum. Each pass that does not arrive there fixes at least
-  /// one of them, so the loop ends; one last pass only corrects rounding.
+  /// Moves the free frictions to their common minimum. Each pass that does not reach it fixes at least one
+  /// friction, so the loop ends; one last pass only corrects rounding.
   void settle_free() {
     for (int arrived = 0; count_ > 0 && arrived < 2;) {
       StickVector way(count_);
@@ -133,7 +133,8 @@ class FrictionBox {
     return true;
   }
 
-  /// Null vector of the mobility: friction k and those before it combined so that no surface accelerates.
+  /// Null vector of the mobility: a combination of friction k and the frictions before it that accelerates no
+  /// surface.
   void put_idle_way(const StickMobility& root, Index k, StickVector& way) const {
     way.setZero();
     way.head(k) = -root.row(k).head(k).transpose();

@@ -16,9 +16,9 @@ struct ForceSlopes {
 };
 
 /// The clamped ElastoGap law (Modelica.Mechanics.Translational.Components.ElastoGap; Ishibashi & Kawai eq.
-/// 1-2, with the clamp that their text names and their equations leave out). F_s = K p, F_d = clamp(d v,
-/// -F_s, F_s) for penetration p > 0, zero otherwise. Continuous in p and v. stiffness [N per unit of p],
-/// damping [N per unit of v], both >= 0; v is the closing speed dp/dt.
+/// 1-2, with the clamp that their text mentions and their equations omit). F_s = K p, F_d = clamp(d v, -F_s,
+/// F_s) for penetration p > 0, zero otherwise. Continuous in p and v. stiffness [N per unit of p], damping [N
+/// per unit of v], both >= 0; v is the closing speed dp/dt.
 inline NormalForce elastogap(double stiffness, double damping, double penetration, double closing_speed) {
   if (penetration <= 0) return {};
   const double spring = stiffness * penetration;
@@ -46,7 +46,8 @@ inline NormalForce smoothed_elastogap(double stiffness, double damping, double p
   const double damper = damping * closing_speed;
   const double clamped =
       damper - smooth_ramp(damper - spring, force_width) + smooth_ramp(-damper - spring, force_width);
-  // `clamped` may leave +-spring by rounding only; the clamp below keeps even this from pulling.
+  // Rounding may make `clamped` slightly larger than +-spring; with the clamp below, even then the contact
+  // does not pull.
   return {spring, spring + std::clamp(clamped, -spring, spring)};
 }
 

@@ -41,7 +41,7 @@ double heights(const FrictionTerms& terms) {
   return sum;
 }
 
-/// Smallest value of `function` over the span, and where: the best point of a grid with a fixed number of
+/// Smallest value of `function` over the span, and its place: the best point of a grid with a fixed number of
 /// points per decade, refined by Brent's method between its neighbours.
 template <class Function>
 std::pair<double, double> smallest(const Function& function, const Span& span) {
@@ -68,7 +68,8 @@ FrictionBounds friction_bounds(const model::Friction& friction) {
   if (terms.count > 0) {
     span = span_of(terms);
     const auto whole = [&](double slip) { return friction_coefficient(friction, slip); };
-    // Without the viscous part, term by term: subtracting that large part would leave only rounding errors.
+    // The viscous part is left out here, not subtracted: subtracting such a large part would leave only
+    // rounding errors.
     const auto fallen = [&](double slip) {
       double sum = terms.constant + terms.dry;
       for (std::size_t i = 0; i < terms.count; ++i)

@@ -55,7 +55,8 @@ std::optional<SaturatedFriction> saturated(const StribeckFriction& stribeck) {
   return SaturatedFriction{g[3], saturated_argument / steepness};
 }
 
-/// Sliding friction in its own direction, from the slip speed where the fall has decayed to exp(-28).
+/// Sliding friction in its own direction. It holds from the slip speed at which the falling part has decayed
+/// to exp(-28).
 std::optional<SaturatedFriction> saturated(const FallingFriction& law) {
   constexpr double saturated_argument = 28;  // exp(-28) = 7e-13, as small as 1 - tanh(14)
   const double steep = law.exponent == 1 ? saturated_argument : std::sqrt(saturated_argument);

@@ -11,8 +11,8 @@ namespace rubsweep::contact {
 
 /// Friction coefficient mu at slip speed v = `slip_m_per_s` (rotor surface relative to the casing, along the
 /// tangent). Stribeck: mu(v) = g1 (tanh g2 v - tanh g3 v) + g4 tanh g5 v + g6 v (Ishibashi & Kawai eq. 17),
-/// odd in v. Constant: the coefficient with the sign of v; 0 at v = 0, although the law allows any value
-/// between. One-way: the coefficient, whatever the sign of v.
+/// odd in v. Constant: the coefficient with the sign of v; 0 at v = 0, although the law allows any value in
+/// between. One-way: the coefficient, independent of the sign of v.
 double friction_coefficient(const model::Friction& friction, double slip_m_per_s);
 
 /// Derivative d mu / d v in s/m, for implicit steppers.
@@ -39,7 +39,7 @@ struct Falling {
   /// Value at a slip speed >= 0, continued smoothly below 0; `slope` is its derivative, in s/m.
   double at(double slip_m_per_s) const;
   double slope(double slip_m_per_s) const;
-  /// Steepness of a tanh that saturates at the slip speed at which this part has died out.
+  /// Steepness of a tanh that saturates at the slip speed at which this part has decayed.
   double saturating_steepness_s_per_m() const { return steepness_s_per_m * (exponent == 1 ? 0.5 : 3.0); }
 };
 
@@ -74,8 +74,8 @@ bool depends_on_slip(const model::Friction& friction);
 /// happens.
 bool keeps_its_direction(const model::Friction& friction);
 
-/// Coefficient of a set-valued friction at slip zero, which jumps where the slip reverses and may make the
-/// surfaces stick. Zero for other kinds of friction.
+/// Coefficient of a set-valued friction at slip zero. Such a friction jumps where the slip reverses, and the
+/// surfaces may stick. Zero for other kinds of friction.
 double dry_coefficient(const model::Friction& friction);
 
 /// Largest coefficient of such a friction at slip zero, >= the sliding one. Zero for other kinds.

@@ -21,14 +21,14 @@ double hertz_approach_m(const model::HertzLine& contact, double force_n);
 /// too wide for its length, so that the formula gives no positive approach.
 double hertz_stiffness_n_per_m(const model::HertzLine& contact);
 
-/// Force, in newtons, up to which the secant stiffness exceeds that at the design force by at most
+/// Force, in newtons, up to which the secant stiffness exceeds its value at the design force by at most
 /// `hertz_secant_tolerance`. The secant grows with the logarithm of the force; beyond this limit a constant
 /// stiffness makes contacts too long and too deep. Closed form: with D = 2 ln 2 + 1/2 + ln(L / 2b) at the
 /// design force F, the secant at F' is D / (D - ln(F' / F) / 2) times that at F.
 double hertz_force_limit_n(const model::HertzLine& contact);
 
 /// Secant stiffness (N/m) at a force other than the design force; empty where this force makes the contact
-/// wider than long.
+/// wider than its length.
 std::optional<double> hertz_secant_n_per_m(const model::HertzLine& contact, double force_n);
 
 inline constexpr double hertz_secant_tolerance = 0.1;

@@ -32,7 +32,7 @@ inline ContactFrame flat_frame(const RelativeMotion& m, double clearance) {
   return {1, 0, 0, m.d1 - clearance, m.v1, m.v2};
 }
 
-/// In the very centre, where an annular stop has no normal, the first fixed direction is used; nothing
+/// At the very centre of an annular stop, where no normal exists, the first fixed direction is used; nothing
 /// touches there.
 inline ContactFrame annular_frame(const RelativeMotion& m, double clearance) {
   const double distance = std::sqrt(m.d1 * m.d1 + m.d2 * m.d2);
@@ -111,8 +111,8 @@ using RelativeMap = Eigen::Matrix<double, 2, Eigen::Dynamic>;
 Eigen::MatrixXd rows_against(const Wall& wall, const RelativeMap& relative);
 
 /// Penetration under the motion q = mean + Re(amplitude e^{i phase}): at the mean position, and its largest
-/// rise above that. In an annular stop the excursion counts as if it pointed outwards at the mean position,
-/// which it does at some time if the whirl is a circle.
+/// rise above this value. In an annular stop the excursion counts as if it pointed outwards at the mean
+/// position. If the whirl is a circle, it does so at some time.
 struct Excursion {
   double mean = 0;       ///< < 0: a gap
   double amplitude = 0;  ///< >= 0
@@ -121,7 +121,7 @@ Excursion excursion(const Wall& wall, double clearance, const RelativeMap& relat
                     const Eigen::VectorXd& mean, const Eigen::VectorXcd& amplitude);
 
 /// Smallest share s > 0 of the displacement `way` at which a rotor that leaves its rest position meets the
-/// wall; infinity where it never does.
+/// wall; infinity where it never meets the wall.
 double share_of_way_to(const Wall& wall, double clearance, const Eigen::Vector2d& way);
 
 /// Contact frame of a relative motion, by the shape of the wall.

@@ -27,7 +27,8 @@ constexpr double last_join = 2 * std::numbers::pi - 1e-9;
 constexpr double before_the_end = 1e-6;
 /// Largest number of pieces before the next search for a sticking stretch after one without success.
 constexpr int longest_wait = 64;
-/// Successive sticking pieces after which a mode for that place of an annular stop is worth its cost.
+/// Number of successive sticking pieces at one place of an annular stop after which a mode for this place
+/// saves time.
 constexpr int pieces_worth_a_mode = 16;
 
 /// Largest work of a turn made by several methods together.
@@ -50,7 +51,7 @@ bool may_stick_in_a_ring(const scene::Scene& scene) {
          });
 }
 
-/// Turns by the exact solver, by Taylor pieces where there is no closed form, or by a stepper if one was
+/// Turns made by the exact solver, by Taylor pieces where there is no closed form, or by a stepper if one was
 /// chosen by name.
 template <int N>
 class HybridRun {
@@ -111,8 +112,8 @@ class HybridRun {
                                     : advance_by_series(request, report);
   }
 
-  /// Makes a turn in which friction leaves saturation: Taylor pieces until it is saturated again, then closed
-  /// forms. The run is at the start of the first of these pieces.
+  /// Makes a turn in which friction leaves saturation: Taylor pieces until friction is saturated again, then
+  /// closed forms. The run is at the start of the first of these pieces.
   run::Outcome go_on_in_pieces(const run::TurnRequest& request, run::TurnReport& report) {
     if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
     pieces_to_wait_ = wait_ = 0;
@@ -155,7 +156,7 @@ class HybridRun {
     }
   }
 
-  /// Whether a contact has stuck so long that a mode for its place in an annular stop is worth making.
+  /// Whether a contact has stuck so long that a mode for its place in an annular stop saves time.
   bool lasts() {
     if (!sticks_in_rings_) return true;
     if (std::exchange(switches_of_stuck_, taylor_->effort().switches) != taylor_->effort().switches)
@@ -164,7 +165,8 @@ class HybridRun {
   }
 
   /// Uses closed forms as long as friction holds the touching contacts. False, with nothing changed, where
-  /// there is no such stretch, or where many short ones were met, so that pieces continue for a while.
+  /// there is no such stretch, or where many stretches were so short that pieces are made for a while
+  /// instead.
   bool stick(const run::TurnRequest& request, run::TurnReport& report) {
     const double phase = taylor_->phase_rad();
     if (static_cast<double>(run_.revolution()) * numerics::full_turn + phase < end_of_pulses_rad_)

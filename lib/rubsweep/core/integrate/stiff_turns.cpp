@@ -11,12 +11,12 @@ namespace {
 /// Smallest number of pieces in a turn that counts as stiff: ten times that of usual turns.
 constexpr long least_pieces = 2000;
 /// Number of pieces that one implicit step must replace on average. A step costs as much as two or three
-/// pieces, and is as short as a piece where it follows the fast vibration.
+/// pieces. Where it follows the fast vibration, it is as short as a piece.
 constexpr long pieces_of_a_step = 8;
 /// Tolerance of the stepper, unless the options require a tighter one.
 constexpr double tolerance = 1e-9;
 constexpr int longest_wait = 64;
-/// Turns after which other solvers are tried again, because closed forms may apply by then.
+/// Number of turns after which other solvers are tried again, because closed forms may then apply.
 constexpr int longest_stretch = 128;
 
 run::SolverOptions implicit_options(run::SolverOptions options) {

@@ -8,8 +8,8 @@
 
 namespace rubsweep::integrate {
 
-/// Slow turns with a stiff contact whose vibration has died out. Taylor pieces last no longer than a few
-/// radians of that vibration, even if it is zero, so that a turn may need fifty thousand of them. Where no
+/// Slow turns with a stiff contact whose vibration has decayed. Taylor pieces last no longer than a few
+/// radians of this vibration, even if it is zero, so that a turn may need fifty thousand of them. Where no
 /// contact changes its mode, an implicit stepper follows only the slow motion, in about a hundred steps.
 class StiffTurns {
  public:
@@ -21,7 +21,7 @@ class StiffTurns {
   /// Whether the next turn should be tried with the implicit stepper, which moves no tangent vectors.
   bool due() const { return due_; }
   /// Makes turn number `revolution` from `section`. False where it takes so many steps that Taylor pieces
-  /// cost no more: the report is then invalid, and attempts become rarer.
+  /// would cost no more. The report is then invalid, and later attempts become rarer.
   bool advance(std::span<const double> section, long revolution, const run::TurnRequest& request,
                run::TurnReport& report);
   /// Resets everything except the counted work.

@@ -16,8 +16,8 @@ struct NoFriction {
   static void visit_fields(auto&, auto&&) {}
 };
 
-/// Dry friction (Coulomb): mu(v) = coefficient for a slip speed v > 0 and -coefficient for v < 0. At v = 0 mu
-/// has whatever value between these two keeps the surfaces together, if one does.
+/// Dry friction (Coulomb): mu(v) = coefficient for a slip speed v > 0 and -coefficient for v < 0. At v = 0,
+/// mu has the value between these two that holds the surfaces together, if there is one.
 struct ConstantFriction {
   static constexpr std::string_view name = "dry";
 
@@ -48,7 +48,7 @@ struct OneWayFriction {
 };
 
 /// A friction curve given by measurable numbers: the largest coefficient and the slip speed of this peak, the
-/// slip speed where the fall behind the peak has ended, the coefficient there (kinetic), and the slope beyond
+/// slip speed at which the fall after the peak ends, the coefficient there (kinetic), and the slope beyond
 /// (viscous).
 struct StribeckCurve {
   double static_coefficient = required;

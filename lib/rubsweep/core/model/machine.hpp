@@ -36,9 +36,9 @@ struct JeffcottRotor {
   }
 };
 
-/// Half-sine force pulse on the rotor, F(t) = force_n sin(pi t / duration_s) for 0 <= t <= duration_s.
-/// t = 0 is the instant of smallest gap at the first stop, or the instant at which the shaft has turned on by
-/// phase_deg from there. By default the pulse points at that stop's wall.
+/// Half-sine force pulse on the rotor, F(t) = force_n sin(pi t / duration_s) for 0 <= t <= duration_s. t = 0
+/// is the instant of smallest gap at the first stop, or the instant when the shaft has turned by phase_deg
+/// after it. By default the pulse points at that stop's wall.
 struct Kick {
   double force_n = required;
   double duration_s = required;
@@ -57,8 +57,8 @@ struct Kick {
   }
 };
 
-/// Position and velocity of a body. A number that is not given keeps its value on the quiet whirl, or at rest
-/// if the quiet whirl reaches a wall.
+/// Position and velocity of a body. A number that is not given keeps its value on the quiet whirl (at rest,
+/// if the quiet whirl reaches a wall).
 struct BodyState {
   std::optional<double> x_m{}, y_m{};  ///< displacement from the unloaded position
   std::optional<double> vx_m_per_s{}, vy_m_per_s{};
@@ -77,13 +77,14 @@ struct BodyState {
 /// State in which a run begins; t = 0 is the instant of smallest gap at the first stop.
 struct Start {
   BodyState rotor{};
-  std::vector<std::optional<BodyState>> casings{};  ///< casings of the stops; missing: none given
-  /// True: the structure is at rest in its unloaded position, whatever is given above. The mark of the shaft
-  /// points along +x at t = 0, and all forces act from then on.
+  /// casings of the stops; an empty or missing entry: not given
+  std::vector<std::optional<BodyState>> casings{};
+  /// True: the structure is at rest in its unloaded position, and the numbers above are ignored. The mark of
+  /// the shaft points along +x at t = 0, and all forces act from then on.
   bool at_rest = false;
 };
 
-/// Whether a start is given and it is the one at rest.
+/// Whether a start is given and begins at rest.
 inline bool begins_at_rest(const std::optional<Start>& start) { return start && start->at_rest; }
 
 /// A rotor of either kind.

@@ -12,7 +12,7 @@
 namespace rubsweep::model {
 
 /// Elastic force S(p) of a contact over its penetration p: K p with the stiffness of the stop and a clamped
-/// damper; K p^n; the line contact of Hertz that the stop describes; or a measured curve.
+/// damper; K p^n; the force of Hertz' line contact, which the stop describes; or a measured curve.
 enum class ForceCurve { linear, power, hertz_line, table };
 inline constexpr auto force_curves = words_of<ForceCurve>();
 
@@ -28,7 +28,8 @@ struct NormalLaw {
   std::vector<double> penetration_m, force_n;  ///< points of a measured curve
   ImpactDamping damping = ImpactDamping::none;
   double restitution = required;
-  std::optional<double> approach_speed_m_per_s;  ///< approach speed for all impacts; empty: each has its own
+  /// approach speed for all impacts; empty: each impact has its own speed
+  std::optional<double> approach_speed_m_per_s;
 
   static constexpr Range exponent_range{.low = 1, .high = 3};
   static constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};

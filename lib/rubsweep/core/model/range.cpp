@@ -18,7 +18,7 @@ bool of_any_machine(double value) {
   return magnitude == 0 || (magnitude >= smallest_magnitude && magnitude <= largest_magnitude);
 }
 
-/// A number with nine digits where this drops only rounding, or the rounding margin of a bound.
+/// A number with nine digits if only rounding, or the rounding margin of a bound, is lost.
 std::string short_text(double value) {
   constexpr double rounding = 2e-10;
   const std::string rounded = fmt::format("{:.9g}", value);

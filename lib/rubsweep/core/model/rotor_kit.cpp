@@ -102,8 +102,8 @@ void validate(const BowPoints& points, const std::string& path, double length_m)
   }
 }
 
-/// Refuses parts that cannot stand beside matrices, which contain neither the shaft's own stiffness nor its
-/// torsional inertia.
+/// Refuses parts that cannot be combined with matrices, which contain neither the shaft's own stiffness nor
+/// its torsional inertia.
 void refuse_beside_matrices(const RotorKit& kit, const std::string& path) {
   const std::pair<const char*, bool> excluded[]{{"shaft", !kit.shaft.empty()},
                                                 {"discs", !kit.discs.empty()},

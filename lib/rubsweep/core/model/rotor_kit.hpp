@@ -17,9 +17,10 @@ namespace rubsweep::model {
 
 struct ShaftMatrices;
 
-/// Rigid disc on the shaft. Its unbalance is given per metre of the cell's eccentricity e: the centre of mass
-/// is eccentricity_ratio * e off the shaft's axis, and the axis of inertia is tilted by skew_rad_per_m * e.
-/// Phases count in the direction of rotation from a mark on the shaft, common to all discs and the bow.
+/// Rigid disc on the shaft. Its unbalance is given per metre of the cell's eccentricity e: the distance of
+/// the centre of mass from the shaft's axis is eccentricity_ratio * e, and the axis of inertia is tilted by
+/// skew_rad_per_m * e. Phases are measured in the direction of rotation from a mark on the shaft, common to
+/// all discs and the bow.
 struct Disc {
   double position_m = required;
   double mass_kg = required;
@@ -64,7 +65,7 @@ struct PointMass {
   }
 };
 
-/// Body beside the shaft, such as a bearing housing, that moves in x and y and is held only by supports.
+/// Body next to the shaft, such as a bearing housing, that moves in x and y and is held only by supports.
 struct Housing {
   double mass_kg = required;
   std::optional<double> mass_y_kg = std::nullopt;
@@ -78,13 +79,15 @@ struct Housing {
 
 /// Elastic joint that cuts the shaft at an inner station into two ends. Bores of its halves may be eccentric:
 /// without load, the axis of the rear end is then offset by parallel_offset_m from that of the front end and
-/// tilted by angular_offset_rad. Both errors turn with the shaft; their phases count from its mark. The rear
-/// machine may also be misaligned: the axis of its bearings is offset by parallel_misalignment_m from that of
-/// the front machine and tilted by angular_misalignment_rad, in a fixed direction. Displacements on either
-/// side count from the axis of that side. A coupling with stiffness k (1 + ratio) along a stiff axis that
-/// turns with the shaft, and k (1 - ratio) across it, then excites vibration at twice the speed.
+/// tilted by angular_offset_rad. Both errors turn with the shaft; their phases are measured from its mark.
+/// The rear machine may also be misaligned: the axis of its bearings is offset by parallel_misalignment_m
+/// from that of the front machine and tilted by angular_misalignment_rad, in a fixed direction. Displacements
+/// on either side are measured from the axis of that side. A coupling with stiffness k (1 + ratio) along a
+/// stiff axis that turns with the shaft, and k (1 - ratio) across it, then excites vibration at twice the
+/// speed.
 struct Coupling {
-  static constexpr Range asymmetry_range{.low = 0, .high = 0.3};  ///< force is correct to first order in it
+  /// the force is correct to first order in the asymmetry
+  static constexpr Range asymmetry_range{.low = 0, .high = 0.3};
 
   double position_m = required;
   double lateral_stiffness_n_per_m = required;
@@ -202,13 +205,14 @@ struct RotorKit {
   std::optional<Bow> bow;
   std::optional<Torsion> torsion;
   std::vector<Sensor> sensors;
-  std::vector<double> damping_ratio{0};  ///< structural damping ratio of mode 1, 2, ...; the last one goes on
-  /// Ratios of the damping that turns with the shaft, likewise; not allowed with pedestals, which do not
-  /// turn.
+  /// structural damping ratio of mode 1, 2, ...; the last ratio holds for all further modes
+  std::vector<double> damping_ratio{0};
+  /// Ratios of the damping that turns with the shaft, in the same form; not allowed with pedestals, which do
+  /// not turn.
   std::vector<double> rotating_damping_ratio{0};
-  double mass_damping_per_s = 0;  ///< damping of shaft, discs and point masses: their mass times this
-  /// True: clearances and displacements count from the position of the shaft under weight and static loads.
-  /// False: from its axis without load.
+  double mass_damping_per_s = 0;  ///< damping of shaft, discs and point masses, as a multiple of their mass
+  /// True: clearances and displacements are measured from the position of the shaft under weight and static
+  /// loads. False: from its axis without load.
   bool clearances_from_sag = false;
   std::optional<int> modes;      ///< bending modes kept in each plane; empty: as many as needed
   double modes_up_to_hz = 2000;  ///< frequency up to which the reduced rotor must match the full one
@@ -244,8 +248,8 @@ struct RotorKit {
   }
 };
 
-/// True when the supports leave the housings, and the shaft taken as rigid, no free motion in the plane of x
-/// (0) or y (1).
+/// True when the supports leave no free motion in the plane of x (0) or y (1) to the housings, and to the
+/// shaft taken as rigid.
 bool supports_hold(const RotorKit& kit, int plane);
 
 /// Sum of the lengths of the segments, or the position of the last node of the matrices, in metres.

@@ -27,13 +27,13 @@ struct DegreeOfFreedom {
   std::string node;
   Direction direction = Direction::x;
   std::optional<double> position_m;  ///< along the shaft; empty: belongs to a body beside it
-  /// Gravity g along -y gives the force -g times this; for a direction rx in kg m. Empty: from the mass
-  /// matrix.
+  /// Mass whose weight acts on this degree of freedom: gravity g along -y gives the force -g times this
+  /// number (for a direction rx in kg m). Empty: from the mass matrix.
   std::optional<double> weight_kg;
 };
 
-/// Unbalance mass at a node; its centre is eccentricity_ratio times the cell's eccentricity off the shaft's
-/// axis.
+/// Unbalance mass at a node; the distance of its centre from the shaft's axis is eccentricity_ratio times the
+/// cell's eccentricity.
 struct NodeUnbalance {
   std::string node;
   double mass_kg = required;
@@ -74,7 +74,7 @@ double rotor_mass_kg(const ShaftMatrices& matrices);
 /// a unit acceleration of all nodes along y.
 Eigen::VectorXd weight_kg(const ShaftMatrices& matrices);
 
-/// Throws ConfigError where a length does not fit the number of degrees of freedom, a number is not finite or
+/// Throws ConfigError where a length differs from the number of degrees of freedom, a number is not finite or
 /// out of range, two degrees of freedom are the same, or none is on the shaft. `path` opens every message.
 void validate(const ShaftMatrices& matrices, const std::string& path);
 

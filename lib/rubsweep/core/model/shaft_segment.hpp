@@ -20,11 +20,11 @@ enum class ShearCoefficient {
 constexpr std::string_view to_string(ShearCoefficient coefficient) { return enumerator_word(coefficient); }
 
 /// Round section and material of a segment of shaft, or of a further layer around or inside it. The ends of a
-/// layer are tied to those of its segment.
+/// layer move with those of its segment.
 struct ShaftLayer {
   double outer_diameter_m = required;
   double inner_diameter_m = 0;
-  /// Diameters at the end of the segment, to which the ones above change linearly. Empty: no taper.
+  /// Diameters at the end of the segment; the diameters change linearly from those above. Empty: no taper.
   std::optional<double> outer_diameter_end_m = std::nullopt, inner_diameter_end_m = std::nullopt;
   /// Diameters for bending and shear, where they differ from those for the mass. Empty: the same.
   std::optional<double> stiffness_outer_diameter_m = std::nullopt, stiffness_inner_diameter_m = std::nullopt;
@@ -73,11 +73,12 @@ struct ShaftLayer {
   }
 };
 
-/// Piece of shaft between two stations. Positions along the shaft count from the free end of the first
+/// Piece of shaft between two stations. Positions along the shaft are measured from the free end of the first
 /// segment.
 struct ShaftSegment : ShaftLayer {
   double length_m = required;
-  std::vector<ShaftLayer> layers{};  ///< layers beside the segment's own section, over its whole length
+  /// layers in addition to the segment's own section, over its whole length
+  std::vector<ShaftLayer> layers{};
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("length_m", self.length_m, key(physical::length_m, "length of the segment"));
@@ -103,8 +104,8 @@ bool is_tapered(const ShaftLayer& layer);
 /// Mass of a segment including its layers, in kg.
 double mass_kg(const ShaftSegment& segment);
 
-/// Checks diameters that are each in range: a wall must be left, and a taper must have no separate stiffness
-/// diameters. Empty: no problem.
+/// Checks diameters that are each in range: the wall thickness must be positive, and a taper must have no
+/// separate stiffness diameters. Empty: no problem.
 std::optional<PartProblem> diameter_problem(const ShaftLayer& layer);
 
 }  // namespace rubsweep::model

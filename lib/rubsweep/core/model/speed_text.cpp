@@ -5,7 +5,7 @@
 namespace rubsweep::model {
 namespace {
 
-/// Text of a number rounded to so many digits, without an exponent: 12000, where "%.3g" gives 1.2e+04.
+/// Text of a number rounded to `digits` digits, without an exponent: 12000, where "%.3g" gives 1.2e+04.
 std::string rounded(double value, int digits) {
   return fmt::format("{}", std::stod(fmt::format("{:.{}g}", value, digits)));
 }

@@ -59,7 +59,7 @@ struct NominalRestitution {
   }
 };
 /// Nominal restitution with the mass of the rotor alone in d = 2 zeta sqrt(m K), as in Ishibashi & Kawai eq.
-/// 15. The reduced mass is what really rebounds, so that this damps far more with a light casing.
+/// 15. In reality the reduced mass rebounds, so that with a light casing the damping is far too large.
 struct RestitutionByRotorMass {
   double value = required;
 
@@ -97,17 +97,17 @@ struct Stop {
       required;  ///< C_R: travel of the rotor from rest to first touch, in an annular stop from its centre
   double stiffness_n_per_m = required;  ///< K, stiffness of the contact spring
   ContactDamping damping = NominalRestitution{};
-  std::optional<double> contact_mass_kg;  ///< rotor mass for a restitution, before reduction with the
-                                          ///< casing's; empty: the mass of a Jeffcott rotor, or a kit's modal
-                                          ///< mass of the first mode at the stop
-  double contact_radius_m = required;     ///< R in the slip speed: the rotor surface moves with R omega
+  /// rotor mass for a restitution, before it is reduced with the casing's mass; empty: the mass of a Jeffcott
+  /// rotor, or a kit's modal mass of the first mode at the stop
+  std::optional<double> contact_mass_kg;
+  double contact_radius_m = required;  ///< R in the slip speed: the rotor surface moves with R omega
   Friction friction = NoFriction{};
   std::optional<Casing> casing;                   ///< empty: rigid casing
   std::optional<HertzLine> hertz = std::nullopt;  ///< source of stiffness_n_per_m
                                                   ///< (contact::hertz_stiffness_n_per_m); changes no force
                                                   ///< unless the law is hertz_line
-  /// Normal law. If it is not linear, stiffness_n_per_m is only its secant (contact::secant_n_per_m), and
-  /// forces depend neither on it nor on `damping`.
+  /// Normal law. If the law is not linear, stiffness_n_per_m is only its secant (contact::secant_n_per_m),
+  /// and forces depend neither on this secant nor on `damping`.
   NormalLaw law{};
 
   /// Whether the stiffness is the secant of `hertz`, valid only near one force.

@@ -32,8 +32,8 @@ struct Pedestal {
 };
 
 /// Bearing defect that strikes the shaft each time it is rolled over (and its pedestal with the opposite
-/// impulse). There are `multiple` impulses per revolution; the first comes phase_deg / 360 of the interval
-/// between two impulses after the start of the run.
+/// impulse). There are `multiple` impulses per revolution. The time from the start of the run to the first
+/// one is phase_deg / 360 of the interval between two impulses.
 struct BearingFault {
   double impulse_ns = required;
   double multiple = required;
@@ -54,10 +54,10 @@ struct BearingFault {
   }
 };
 
-/// Bearing between the shaft and the ground, a pedestal or a housing. Force on the shaft:
-/// f_x = -(stiffness_x x + stiffness_xy y) - the same with damping - mass_x x''; f_y with yx and y.
-/// Single coefficients may be negative, as for a seal, while all supports together hold the shaft. A support
-/// at a housing (at_housing) holds that housing and not the shaft.
+/// Bearing between the shaft and the ground, a pedestal or a housing. Force on the shaft: f_x = -(stiffness_x
+/// x + stiffness_xy y) - the same with damping - mass_x x''; f_y with yx and y. Single coefficients may be
+/// negative, as for a seal, provided that all supports together hold the shaft. A support at a housing
+/// (at_housing) holds that housing and not the shaft.
 struct Support {
   double position_m = required;  ///< not used where the support is at a housing
   std::optional<int> at_housing = std::nullopt;
@@ -75,7 +75,7 @@ struct Support {
   double angular_stiffness_nm_per_rad = 0;  ///< stiffness against tilting of the shaft relative to the ground
   std::optional<Pedestal> pedestal;
   std::optional<BearingFault> fault;
-  /// Curves of the coefficients over the speed. The numbers above then hold for one of the table's speeds
+  /// Curves of the coefficients over the speed. The numbers above are then those at one of the table's speeds
   /// (with_table).
   std::optional<SupportTable> table;
   std::string name;  ///< name of the element in its source file; for messages
@@ -106,7 +106,7 @@ struct Support {
 /// Sets the coefficients of a support, in the order of support_coefficients.
 void set_coefficients(Support& support, const std::array<double, support_coefficients.size()>& values);
 
-/// The support with this table. Its own coefficients become those of the middle speed, which is used wherever
+/// The support with this table. Its own coefficients become those of the middle speed. They are used wherever
 /// a single speed is needed: for the shapes that span the motion at all speeds.
 Support with_table(Support support, SupportTable table);
 

@@ -8,8 +8,9 @@ namespace {
 using Eigen::Index;
 constexpr Index none = -1;
 
-/// A matching that grows by one row at a time along the cheapest augmenting path. The price of a row plus
-/// that of a column never exceeds the cost of their entry, and equals it where they are matched.
+/// A matching that grows by one row at a time along the cheapest augmenting path. The sum of a row's price
+/// and a column's price never exceeds the cost of their entry, and equals the cost where row and column are
+/// matched.
 class Matching {
  public:
   explicit Matching(const Eigen::MatrixXd& cost)

@@ -17,8 +17,8 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// Complex numbers column by column, real and imaginary parts apart: a register holds as many of them as it
-/// holds real numbers.
+/// Complex numbers column by column, with real and imaginary parts in separate arrays: a register then holds
+/// as many parts as real numbers.
 struct SplitColumns {
   explicit SplitColumns(const MatrixXcd& matrix) : real(matrix.real()), imag(matrix.imag()) {}
   MatrixXd real, imag;
@@ -67,8 +67,8 @@ template <std::size_t bytes>
   }
 }
 
-/// Elimination within a band, column after column: each is swapped and reduced by all before it that reach
-/// it.
+/// Elimination within a band, column after column: pivoting and reduction of each column by all earlier
+/// columns that reach it.
 template <std::size_t bytes>
 [[gnu::always_inline]] inline void eliminate(SplitColumns& a, SplitColumns& b, Eigen::Index band) {
   using Eigen::Index;
@@ -121,7 +121,7 @@ Eigen::Index band_of(std::initializer_list<const MatrixXd*> matrices) {
 }
 
 MatrixXcd solve_banded(MatrixXcd a, MatrixXcd b, Eigen::Index band) {
-  // Beyond this Eigen's blocks, which stay in the processor's cache, are faster.
+  // For larger matrices Eigen's blocks, which stay in the processor's cache, are faster.
   constexpr Eigen::Index narrow = 6, small = 512;
   if (a.rows() > small && narrow * band > a.rows()) return dense::solve(a, b);
   SplitColumns factors(a), x(b);

@@ -46,7 +46,8 @@ inline double halley_step(double value, double slope, double half_curvature) {
   return -value * slope / (slope * slope - value * half_curvature);
 }
 
-/// Zero nearest to x = 0 of the series terms[k] x^k, at least three terms, for a function that rises to it.
+/// Zero nearest to x = 0 of the series terms[k] x^k, at least three terms, for a function that rises to this
+/// zero.
 inline double root_of_series(std::span<const double> terms) {
   constexpr int most_iterations = 12;
   constexpr double last_step = 2e-5;  // the cube of such a step is rounding

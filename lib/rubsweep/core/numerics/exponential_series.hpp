@@ -14,8 +14,8 @@ namespace rubsweep::numerics {
 /// Size |A| t of a step up to which the series of e^{A t} is used.
 inline constexpr double longest_series = 1;
 
-/// Size of a step up to which the series, with its 12 terms there, costs no more than two steps with the
-/// table of flows.
+/// Size of a step up to which the series, which has 12 terms at this size, costs no more than two steps with
+/// the table of flows.
 inline constexpr double short_series = 0.14;
 
 /// Order of the last term of the series of e^x, |x| = `size` <= longest_series, above double rounding:
@@ -33,7 +33,8 @@ inline int series_terms(double size) {
 
 inline constexpr std::size_t most_series_terms = 19;  ///< number of terms, including order zero
 
-/// Rows of a column of Taylor coefficients: even, because two are processed at a time; zeros follow the last.
+/// Rows of a column of Taylor coefficients: an even number, because two are processed at a time; unused rows
+/// are zero.
 inline constexpr std::size_t series_rows = 20;
 template <int columns>
 using SeriesTable = Eigen::Matrix<double, static_cast<int>(series_rows), columns>;

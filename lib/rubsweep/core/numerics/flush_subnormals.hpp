@@ -7,9 +7,9 @@
 namespace rubsweep::numerics {
 
 /// Makes the processor treat subnormal numbers as zero on this thread during the object's lifetime. A
-/// decaying vibration ends among them: the smallest one times 0.9 rounds back to itself, and every operation
-/// on it takes a hundred times as long. Numbers of 1e-308 do not matter beside the others of a motion. Does
-/// nothing on an unknown processor.
+/// decaying vibration finally becomes subnormal: the smallest such number times 0.9 rounds back to itself,
+/// and every operation on it takes a hundred times as long. Compared with the other numbers of a motion,
+/// 1e-308 does not matter. Does nothing on an unknown processor.
 class FlushSubnormals {
  public:
   FlushSubnormals() : before_(control()) { set_control(before_ | flush); }

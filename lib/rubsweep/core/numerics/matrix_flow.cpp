@@ -54,10 +54,10 @@ LongMatrix long_flow(const MatrixXd& generator, double duration_s) {
 }
 
 /// Entries of e^|A t| for a short time t, which bound those of e^{A s} for |s| <= t. Where the motion is much
-/// faster or slower than the unit of time, time is rescaled, because squaring would lose the small entries
-/// beside the large ones. Powers of two add no rounding.
+/// faster or slower than the unit of time, time is rescaled, because squaring would lose entries that are
+/// small compared with others. Scaling by powers of two adds no rounding.
 MatrixXd bound_between(const MatrixXd& generator, double duration_s) {
-  constexpr int far_from_the_unit = 20;  // binary orders: less leaves three digits of each entry
+  constexpr int far_from_the_unit = 20;  // binary orders; with less than this, each entry keeps three digits
   const Eigen::Index n = generator.rows() / 2, m = generator.rows() - n;
   const double largest = generator.bottomLeftCorner(m, n).cwiseAbs().maxCoeff();
   const int order = largest > 0 ? std::ilogb(std::sqrt(largest)) : 0;
@@ -79,7 +79,7 @@ MatrixXd matrix_flow(const MatrixXd& generator, double duration_s) {
 
 void make_matrix_flows(const MatrixXd& generator, double longest_s, int k,
                        const std::function<void(int, const MatrixXd&)>& put) {
-  constexpr int squarings = 6;  // rounding grows at most by 2^6, which long double has to spare
+  constexpr int squarings = 6;  // rounding grows at most by 2^6, which the extra digits of long double cover
   const int shortest = exact_step_count - 2 + k % 2;
   const int level = (shortest - k) / 2;  // level above the shortest step; a group starts at its shortest
   int i = shortest - 2 * (level - level % (squarings + 1));

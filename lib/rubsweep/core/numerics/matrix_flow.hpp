@@ -20,8 +20,9 @@ Eigen::MatrixXd generator_of(const Eigen::MatrixXd& stiffness, const Eigen::Matr
 Eigen::MatrixXd matrix_flow(const Eigen::MatrixXd& generator, double duration_s);
 
 /// Flow for step k of a table, of duration `longest_s` times exact_step_size(k), and for up to six other
-/// steps of its group. Each of these is the square of the next shorter one and costs a sixth of a separate
-/// flow. Groups are the same whichever step is requested. Calls put(i, flow) for each step i of the group.
+/// steps of its group. Each other flow is the square of the flow of the next shorter step, and costs a sixth
+/// of a separate computation. Groups are the same whichever step is requested. Calls put(i, flow) for each
+/// step i of the group.
 void make_matrix_flows(const Eigen::MatrixXd& generator, double longest_s, int k,
                        const std::function<void(int, const Eigen::MatrixXd&)>& put);
 

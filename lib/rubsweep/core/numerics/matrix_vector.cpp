@@ -36,8 +36,8 @@ template <std::size_t bytes, std::size_t count>
   for (std::size_t i = 0; i < count; ++i) std::memcpy(product + row_of(i), &sums[i], bytes);
 }
 
-/// All rows, at least one lane of them. Each pass handles several lanes, about equally many; the very last
-/// lane is shifted back to end with the last row. Rows computed twice get the same bits.
+/// All rows; there is at least one lane of them. Each pass handles several lanes, about equally many. The
+/// very last lane is shifted back to end with the last row. Rows computed twice get the same bits.
 template <std::size_t bytes>
 [[gnu::always_inline]] inline void all_rows(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
                                             std::ptrdiff_t stride, const double* vector, double* product) {

@@ -42,9 +42,9 @@ class AlignedMatrix {
   std::vector<Line> lines_;
 };
 
-/// product = matrix . vector. The matrix is stored by columns, each `stride` >= rows numbers after the one
-/// before. Each row is summed in the order of its columns, so that the bits are those of the plain loop on
-/// every processor. Arguments must not overlap; columns >= 1.
+/// product = matrix . vector. The matrix is stored by columns; each column begins `stride` >= rows numbers
+/// after the one before. Each row is summed in the order of its columns, so that the bits are those of the
+/// plain loop on every processor. Arguments must not overlap; columns >= 1.
 void multiply(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix, std::ptrdiff_t stride,
               const double* vector, double* product);
 

@@ -9,11 +9,12 @@ namespace rubsweep::numerics {
 
 struct ModalForm;
 
-/// Least-recently-used cache of modal forms. Eigenvectors of a rotor kit take milliseconds in long double,
-/// and all cells of one speed need the same. Belongs to one thread.
+/// Least-recently-used cache of modal forms. The eigenvectors of a rotor kit take milliseconds in long
+/// double, and all cells of one speed need the same ones. Belongs to one thread.
 class ModalFormCache {
  public:
-  /// The cache drops the forms unused for longest above `most_bytes`, but always keeps the latest.
+  /// Above `most_bytes` the cache drops the forms that were unused for longest, but it always keeps the
+  /// latest form.
   explicit ModalFormCache(std::size_t most_bytes = std::size_t{16} << 20);
   ModalFormCache(ModalFormCache&&) noexcept;
   ModalFormCache& operator=(ModalFormCache&&) noexcept;

@@ -84,8 +84,8 @@ double halley_step(const Parabola& at) {
   return -at.value * at.slope / (at.slope * at.slope - at.value * at.bend);
 }
 
-/// Start value near the single root between `low` and `high`: zero of the chord, improved with the first
-/// terms only, which cost half as much as all.
+/// Start value near the single root between `low` and `high`: zero of the chord, improved with only the first
+/// terms, which cost half as much as all terms.
 double near_root(std::span<const double> c, double low, double high, double at_low, double at_high) {
   double x = low + (high - low) * (at_low / (at_low - at_high));
   for (int i = 0; i < 2 && c.size() >= worth_while; ++i)
@@ -96,7 +96,7 @@ double near_root(std::span<const double> c, double low, double high, double at_l
 /// Refines the single root between `low`, where the polynomial is negative, and `high` by Halley's iteration.
 double refine(std::span<const double> c, double low, double high, double at_low, double at_high) {
   constexpr int most_iterations = 80;
-  // Step size, relative to the root and the change of the slope, below which the rest is rounding.
+  // Step size, relative to the root and the change of the slope, below which the remaining error is rounding.
   constexpr double small = 0x1p-20;
   double x = near_root(c, low, high, at_low, at_high);
   for (int i = 0; i < most_iterations; ++i) {
@@ -144,8 +144,8 @@ double sum_of_positive(std::span<const double> c) {
   return sum;
 }
 
-/// Whether the polynomial is negative by the Bernstein form of its first terms and a bound of the rest. The
-/// cost of the Bernstein form is quadratic in the degree.
+/// Whether the polynomial is negative by the Bernstein form of its first terms and a bound of the other
+/// terms. The cost of the Bernstein form is quadratic in the degree.
 bool low_part_negative(std::span<const double> c) {
   if (c.size() < worth_while) return false;
   const double rest = sum_of_positive(c.subspan(first_terms));

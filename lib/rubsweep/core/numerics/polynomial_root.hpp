@@ -9,9 +9,9 @@ namespace rubsweep::numerics {
 /// Highest degree of a polynomial in this file.
 inline constexpr int most_degree = 31;
 
-/// True when one of two cheap tests shows that sum c_k x^k < 0 on all of 0 <= x <= 1. The first adds c_0 and
-/// the positive coefficients; the second uses the hull of the cubic part plus the positive rest. False means
-/// nothing.
+/// True when one of two cheap tests shows that sum c_k x^k < 0 on all of 0 <= x <= 1. The first test adds c_0
+/// and the positive coefficients. The second uses the hull of the cubic part plus the other positive
+/// coefficients. False proves nothing.
 bool clearly_negative(std::span<const double> coefficients);
 
 /// Smallest x in (0, 1] at which p(x) = sum c_k x^k, at most `most_degree` + 1 coefficients, rises from below
@@ -25,8 +25,8 @@ bool clearly_negative(std::span<const double> coefficients);
 /// root, which is no rise.
 std::optional<double> first_rise_of(std::span<const double> coefficients, double noise);
 
-/// Control ordinates of a polynomial of degree 4 over [0, 1] (Bernstein form). The curve stays inside their
-/// hull, which proves that there is no root, where sampling could only suggest it.
+/// Control ordinates of a polynomial of degree 4 over [0, 1] (Bernstein form). The curve lies inside their
+/// hull. This can prove that there is no root, where sampling could only suggest it.
 using Quartic = std::array<double, 5>;
 
 /// The quartic with the given end values, end slopes (per unit of the interval) and middle value.

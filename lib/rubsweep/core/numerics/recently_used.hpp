@@ -30,7 +30,7 @@ class RecentlyUsed {
     return kept_.emplace_front(std::forward<Arguments>(arguments)...);
   }
 
-  /// Drops objects, least recent first, until the rest fits; the most recent always stays.
+  /// Drops objects, least recent first, until the remaining ones fit; the most recent object always stays.
   template <class Size>
   void trim(const Size& size) {
     std::size_t sum = 0;

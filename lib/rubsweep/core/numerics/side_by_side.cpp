@@ -33,7 +33,7 @@ template <std::size_t bytes, std::size_t count>
     std::memcpy(to.data + static_cast<std::ptrdiff_t>(r) * to.stride, &sums[r], bytes);
 }
 
-/// All rows for that lane, about equally many in each pass.
+/// Computes all rows for one lane, with about equally many rows in each pass.
 template <std::size_t bytes>
 [[gnu::always_inline]] inline void all_rows(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
                                             std::ptrdiff_t matrix_stride, const SideBySide& from,

@@ -21,8 +21,8 @@ inline double root_below(double x, int k) {
   constexpr auto one = std::uint64_t{bias} << digits, fraction = (std::uint64_t{1} << digits) - 1;
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const double f = std::bit_cast<double>((bits & fraction) | one) - 1;
-  // Error below 0.01, which the root divides by k. `bias` is added to make it positive, where conversion to
-  // an integer truncates downwards.
+  // The error is below 0.01 and is divided by k in the root. `bias` makes the number positive, for which
+  // conversion to an integer rounds down.
   const double logarithm = (static_cast<int>(bits >> digits) - bias + f * (4 - f) / 3) / k + bias;
   const auto whole = static_cast<std::uint64_t>(static_cast<std::int64_t>(logarithm));
   const double g = logarithm - static_cast<double>(static_cast<std::int64_t>(whole));
@@ -35,7 +35,7 @@ inline double root_below(double x, int k) {
 /// Highest order of the power series in this file.
 inline constexpr int most_taylor_order = 24;
 
-/// Table of 1 / k, each entry twice: divisions would be the critical path of the recurrences.
+/// Table of 1 / k, each entry twice: divisions would be the slowest part of the recurrences.
 inline constexpr auto taylor_reciprocals = [] {
   std::array<double, 2 * std::size_t{most_taylor_order + 3}> table{};
   for (std::size_t k = 1; 2 * k < table.size(); ++k)
@@ -167,8 +167,8 @@ class PlaneSeries {
   Twin terms_[most_taylor_order + 2];  ///< one more than the order, for the series of a rate
 };
 
-/// `Count` such series side by side: the same operation on all of them at once has shorter waits than on one
-/// after the other.
+/// `Count` such series side by side: one operation on all of them at once waits less than on one after
+/// another.
 template <int Count>
 class PlaneSeriesBundle {
  public:

@@ -11,8 +11,8 @@
 namespace rubsweep::response {
 namespace {
 
-/// Turns of the three looks. The first decides five of six undecided cells of the one-side, two-sides and
-/// annular maps; all three decide nineteen of twenty. A transient that outlasts them may last for ever.
+/// Turns of the three tests. The first test decides five of six undecided cells of the one-side, two-sides
+/// and annular maps; all three decide nineteen of twenty. A transient that outlasts them may last for ever.
 constexpr std::size_t first_look = 640, second_look = 1280, last_look = 2560;
 constexpr std::size_t shortest_chaos = 1280;
 
@@ -27,9 +27,10 @@ bool chaotic(const motion::Exponent& exponent) {
   return exponent.per_revolution > std::max(exponent.error_bar, chaos_floor);
 }
 
-/// Whether a disturbance grew (`sign` 1) or shrank (-1) by more than it ever went the other way meanwhile,
-/// the first fifth dropped. The tangent vector of a stick-slip motion swings by a factor of hundreds and does
-/// neither; near a resonance of slip and shaft the swings are so slow that blocks of turns show a trend.
+/// Whether a disturbance grew (`sign` 1) or shrank (-1) by more than it ever changed in the opposite
+/// direction meanwhile; the first fifth is dropped. The tangent vector of a stick-slip motion swings by a
+/// factor of hundreds, but neither grows nor shrinks. Near a resonance of slip and shaft these swings are so
+/// slow that blocks of turns show a trend.
 bool goes_beyond_its_swings(std::span<const double> contributions, double sign) {
   double sum = 0, furthest = 0, largest_return = 0;
   for (const double growth : contributions.subspan(contributions.size() / 5)) {
@@ -40,7 +41,7 @@ bool goes_beyond_its_swings(std::span<const double> contributions, double sign) 
   return sum > largest_return;
 }
 
-/// Whether it was chaotic in the first half of the turns that are not its last window.
+/// Whether the motion was chaotic in the first half of the turns before its last window.
 bool was_chaotic(const Followed& motion, int window) {
   constexpr std::size_t fewest = 80;
   const std::size_t turns = motion.turns() - std::min(motion.turns(), static_cast<std::size_t>(window));
@@ -77,12 +78,12 @@ constexpr long first_watch = 200;  ///< turns from the start of watching to the 
 constexpr double torus_exponent = 2e-4, torus_half_exponent = 8e-4;
 /// Required accuracy of the closest return's rate; coarse, because the exponent is known much better.
 constexpr double return_rate_known_to = 2e-3;
-/// When both halves exceed this exponent, the motion is chaotic, at least for now.
+/// If the exponents of both halves exceed this limit, the motion is chaotic, at least for now.
 constexpr double chaotic_half_exponent = 0.02;
 
-/// Exponent of a motion that has been chaotic throughout: at least 1280 turns, an exponent positive beyond
-/// its error bar and above chaos_floor, in either half too by smooth weights, and a section that does not
-/// return. Empty for any other motion.
+/// Exponent of a motion that has been chaotic throughout. Conditions: at least 1280 turns; an exponent that
+/// is positive beyond its error bar and above chaos_floor, also in either half by smooth weights; and a
+/// section that does not return. Empty for any other motion.
 std::optional<motion::Exponent> lasting_chaos(const Followed& motion) {
   if (motion.turns() < shortest_chaos) return std::nullopt;
   const motion::Exponent exponent = exponent_of(motion.contributions);

@@ -18,7 +18,8 @@ namespace rubsweep::response {
 /// Exponents of smaller magnitude, of either sign, may belong to slow motions of any kind. A motion that
 /// leaves an unstable periodic motion shows 7e-4, with an error bar a hundredth of that.
 inline constexpr double chaos_floor = 0.01;
-/// An exponent of smaller magnitude counts as zero, whatever its error bar: 2000 turns could not resolve it.
+/// An exponent of smaller magnitude counts as zero, whatever its error bar, because 2000 turns could not
+/// distinguish it from zero.
 inline constexpr double zero_exponent = 5e-4;
 /// Accuracy, per turn, with which the growth rate of the closest return must be known.
 inline constexpr double known_rate = 5e-4;
@@ -28,10 +29,11 @@ struct Aperiodic {
   motion::MotionClass motion_class =
       motion::MotionClass::unsettled;        ///< quasi_periodic, chaotic or unsettled
   std::optional<motion::Exponent> exponent;  ///< empty when a turn failed or contact ended
-  std::optional<int> returns_after;          ///< turns after which the section returns; class: unsettled
+  /// number of turns after which the section returns, for class unsettled
+  std::optional<int> returns_after;
   /// True for transient chaos: the motion was chaotic at first, then lost its contact or became periodic.
   bool left_chaos = false;
-  Followed motion;  ///< all turns in which it was followed
+  Followed motion;  ///< all turns for which the motion was followed
 };
 
 /// Follows a motion without a period in `turns_before` turns for 640 more turns. If these do not decide, it
@@ -52,32 +54,34 @@ Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& to
                              spectrum::SpectrumWorkspace& workspace);
 
 /// Early detection of a torus, which has no period that could be proven, so that each run would take its full
-/// length. From turn `settled_after` on, a tangent vector is carried along. Tests come 200 turns later and
-/// then after a quarter as many again, as long as the confirming window ends before the last two windows of
-/// the run. Chaos may be transient and ends no run, but the growth of the tangent vector counts at the end of
-/// the run.
+/// length. From turn `settled_after` on, a tangent vector is carried along. The first test comes 200 turns
+/// later. Each further test comes when the number of turns has grown by a quarter, as long as the confirming
+/// window ends before the last two windows of the run. Chaos may be transient and ends no run, but the growth
+/// of the tangent vector is used at the end of the run.
 class TorusWatch {
  public:
   static constexpr long settled_after = 100;
 
-  /// `wanted` = false: nothing is watched, and the last windows of the run are recorded.
+  /// `wanted` = false: no torus is searched for, and the last windows of the run are recorded.
   TorusWatch(const scene::Scene& scene, const motion::ResponseOptions& options, bool wanted);
 
-  /// Adds the tangent vector to the request for the turn after `revolutions` turns, if it is carried there.
+  /// Adds the tangent vector to the request for the turn after `revolutions` turns, if it is carried in this
+  /// turn.
   void ask(long revolutions, integrate::run::TurnRequest& request) const;
   /// Reads the report of that turn. A solver that moves no tangent vectors ends the watch.
   void add(const integrate::run::TurnRequest& request, const integrate::run::TurnReport& turn);
 
-  /// Revolutions after which the next test is due; the maximum of the run when no test is left.
+  /// Revolutions after which the next test is due; the largest number of revolutions of the run when no test
+  /// remains.
   long next_look() const { return look_; }
   /// Makes the torus test. If it succeeds, the confirming window begins; otherwise the next test is
   /// scheduled.
   void look(spectrum::SpectrumWorkspace& workspace);
 
-  /// Revolutions after which recording for the verdict begins: two windows, or only one after a torus was
-  /// seen, because its section has already shown what the first window would show.
+  /// Revolutions after which recording for the verdict begins: two windows before the end, or only one after
+  /// a torus was found, because its section has already shown what the first window would show.
   long record_begin() const { return record_begin_; }
-  /// Exponent of the torus that was seen; otherwise empty.
+  /// Exponent of the torus that was found; otherwise empty.
   const std::optional<motion::Exponent>& torus() const { return torus_; }
   /// Ends the watch, because the confirming window shows something other than a torus.
   void refuse();

@@ -77,7 +77,7 @@ bool stays_away(const ClosestReturn& nearest, double known_rate) {
 }
 
 /// Whether the size of the motion stays constant. A motion that grows for ever, such as an almost undamped
-/// resonance, would otherwise pass for a torus, because no disturbance of it grows.
+/// resonance, would otherwise count as a torus, because no disturbance of it grows.
 bool stays_as_large(std::span<const double> rows) {
   const auto square = [](std::span<const double> part) {
     return Eigen::Map<const Eigen::VectorXd>(part.data(), static_cast<Eigen::Index>(part.size()))

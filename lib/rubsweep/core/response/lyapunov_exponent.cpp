@@ -25,7 +25,7 @@ struct Tangent {
     before.assign(section.begin(), section.end());
     bool moved = false;
     if (!map.carry_exactly(section, direction, moved, growth_accuracy)) return std::nullopt;
-    // A second run would not know how a contact began.
+    // A second run would not contain the speed at which a contact began.
     if (!moved && (map.remembers() || !by_second_run(before, section))) return std::nullopt;
     return take_growth(direction);
   }

@@ -20,12 +20,13 @@ using Growth = std::function<std::optional<double>(std::span<double> section)>;
 
 /// Length of a disturbance that is followed as the difference of two runs, in units of the state (sections:
 /// of the clearance). Between 1e-9 and 1e-4 its effect on the exponents of the one-side map is invisible
-/// (tolerance 1e-8). Far below the solver's tolerance its noise separates the states, not the motion: at
-/// tolerance 1e-5, separation 1e-6 gives exponents of +2 for a rotor at rest, separation 1e-5 does not.
+/// (tolerance 1e-8). If it is far below the solver's tolerance, the noise of the solver separates the states,
+/// not the motion. With tolerance 1e-5, separation 1e-6 gives exponents of +2 for a rotor at rest, separation
+/// 1e-5 does not.
 inline constexpr double separation = 1e-5;
 
-/// A disturbance of length `separation` with a part of every coordinate. One along a coordinate axis would
-/// never leave an invariant subspace, such as the tangential motion at a flat wall.
+/// A disturbance of length `separation` with a part of every coordinate. A disturbance along a coordinate
+/// axis would never leave an invariant subspace, such as the tangential motion at a flat wall.
 Eigen::VectorXd first_disturbance(std::size_t states);
 
 /// Growth of a disturbance. Where the turn has closed forms it is a tangent vector, moved by the exact
@@ -35,27 +36,27 @@ Eigen::VectorXd first_disturbance(std::size_t states);
 /// `map` must outlive the result.
 Growth tangent_growth(proof::SceneMap& map);
 
-/// ln of the length of `direction`, to which a disturbance of unit length has grown; `direction` is
-/// normalised. A disturbance that has shrunk to nothing starts anew.
+/// Returns ln of the length of `direction` after a turn that began with unit length, and normalises
+/// `direction`. A disturbance that has shrunk to nothing starts anew.
 double take_growth(Eigen::MatrixXd& direction);
 
-/// Exponent from its contributions, one per iteration. The first fifth is dropped while the disturbance turns
-/// into the direction of largest growth. The rest makes 8 blocks of equal length with means m_b under a Hann
-/// window: exponent = mean m, error bar = t s / sqrt(8), s the standard deviation of the m_b, t = 3.4995
-/// (Student, 7 degrees of freedom, 99 %). This is the method of batch means (A. M. Law, Simulation Modeling
-/// and Analysis) with smooth weights. On a torus or a periodic motion the contributions oscillate about their
-/// mean; a smooth weight averages these oscillations out (S. Das et al., Nonlinearity 30 (2017) 4111). Error
-/// bars of such motions are ten to a hundred times shorter than with flat blocks, those of chaotic ones 1.2
-/// times longer. SolverError for fewer than 40 contributions.
+/// Exponent from its contributions, one per iteration. The first fifth is dropped, in which the disturbance
+/// turns into the direction of largest growth. The others form 8 blocks of equal length with means m_b under
+/// a Hann window: exponent = mean m, error bar = t s / sqrt(8), s the standard deviation of the m_b, t =
+/// 3.4995 (Student, 7 degrees of freedom, 99 %). This is the method of batch means (A. M. Law, Simulation
+/// Modeling and Analysis) with smooth weights. On a torus or a periodic motion the contributions oscillate
+/// about their mean; a smooth weight averages these oscillations out (S. Das et al., Nonlinearity 30 (2017)
+/// 4111). Error bars of such motions are ten to a hundred times shorter than with flat blocks, those of
+/// chaotic motions 1.2 times longer. SolverError for fewer than 40 contributions.
 motion::Exponent exponent_of(std::span<const double> contributions);
 
 /// Mean of the contributions with the weight exp(-1 / (x (1 - x))), x running from 0 to 1 along them. For a
-/// quasi-periodic motion it converges faster than any power of their number (S. Das, Y. Saiki, E. Sander, J.
-/// A. Yorke, Nonlinearity 30 (2017) 4111), so that a zero exponent shows after a few hundred turns. Zero
-/// without contributions.
+/// quasi-periodic motion this mean converges faster than any power of the number of contributions (S. Das, Y.
+/// Saiki, E. Sander, J. A. Yorke, Nonlinearity 30 (2017) 4111), so that a zero exponent shows after a few
+/// hundred turns. Zero without contributions.
 double bump_mean(std::span<const double> contributions);
 
-/// Weighted means of the contributions without their first fifth: of all of these and of each half.
+/// Weighted means of the contributions without their first fifth: over all of them, and over each half.
 struct BumpMeans {
   double all = 0, first = 0, last = 0;
 };

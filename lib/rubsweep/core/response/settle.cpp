@@ -50,7 +50,7 @@ class MotionProof {
   }
 
  private:
-  /// Share of a run's work for proofs, whose purpose is to make it shorter.
+  /// Share of a run's work that proofs may take; their purpose is to make the run shorter.
   static constexpr double share_for_proofs = 0.5;
 
   integrate::run::WorkBudget budget_;
@@ -76,8 +76,8 @@ void conclude(const Verdict& seen, const scene::Cell& cell, const proof::RestPro
   if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
 }
 
-/// Whether watching pays: turns are expensive at annular stops, whereas a full run between flat stops costs
-/// less than a watch's tangent vector.
+/// Whether the search for a torus saves time. Turns are expensive at annular stops, whereas a full run
+/// between flat stops costs less than the tangent vector of the search.
 bool worth_watching(const scene::Scene& scene, const SceneFacts& facts,
                     const motion::ResponseOptions& options, double kick_turns) {
   const bool annular =
@@ -86,7 +86,7 @@ bool worth_watching(const scene::Scene& scene, const SceneFacts& facts,
          facts.same_every_turn && !facts.rotationally_symmetric;
 }
 
-/// Whether the window after the watch saw a torus shows neither a period nor rest.
+/// Whether the window after a torus was found shows neither a period nor rest.
 bool conclude_on_torus(TorusWatch& torus, const motion::Record& record,
                        const motion::ResponseOptions& options, motion::Workspace& workspace,
                        SettledRun& run) {
@@ -102,7 +102,8 @@ bool conclude_on_torus(TorusWatch& torus, const motion::Record& record,
   return true;
 }
 
-/// Concludes a run that reached a limit of work; two windows after its kick, if any, give its measures.
+/// Concludes a run that reached a limit of work. Two windows after its kick, if it has that many turns, give
+/// its measures.
 void conclude_stopped(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
                       const motion::ResponseOptions& options, const Checkpoints& passed, double kick_turns,
                       motion::Workspace& workspace, SettledRun& run) {

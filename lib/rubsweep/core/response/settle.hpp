@@ -17,12 +17,13 @@ namespace rubsweep::response {
 /// Result of a run from the kick to its verdict.
 struct SettledRun {
   integrate::run::Outcome outcome = integrate::run::Outcome::ok;
-  motion::Motion motion;                  ///< class `failed` when the outcome is not ok
-  std::optional<motion::Proof> proof;     ///< empty: unsettled or failed
-  std::optional<double> floquet_modulus;  ///< largest multiplier of a proven orbit over its period
+  motion::Motion motion;               ///< class `failed` when the outcome is not ok
+  std::optional<motion::Proof> proof;  ///< empty: unsettled or failed
+  /// Revolutions from the kick to the end of the windows, without those that only measure an exponent.
+  std::optional<double> floquet_modulus;
   /// Revolutions from the kick to the end of the windows, without those for measuring an exponent.
   long revolutions = 0;
-  std::optional<long> last_contact_revolution;  ///< 1 for the first one; empty: the wall was never touched
+  std::optional<long> last_contact_revolution;  ///< counted from 1; empty: the wall was never touched
   std::optional<Survival> survival;             ///< observed survival of chaos
   bool slip_reversed = false;                   ///< true: a slip reversed in some turn
   /// Whether a free vibration of the rotor without its stops grows at this speed. There is then no quiet
@@ -33,11 +34,11 @@ struct SettledRun {
   std::vector<double> section;
 };
 
-/// Runs `cell` turn by turn until its motion is known. This is as soon as rest or a stable orbit is proven
-/// (of up to twice max_order turns; in a rotationally symmetric scene a circle or an oval) or `TorusWatch`
-/// sees a torus. Otherwise the last two windows of `max_revolutions` decide. When these show neither a period
-/// nor rest, a rotationally symmetric scene is searched for a comb. A motion that is still undecided is
-/// followed by `classify_aperiodic`, at the run's tolerance or 1e-7, whichever is tighter.
+/// Runs `cell` turn by turn until its motion is known. The run ends as soon as rest or a stable orbit is
+/// proven (of up to twice max_order turns; in a rotationally symmetric scene a circle or an oval) or
+/// `TorusWatch` finds a torus. Otherwise the last two windows of `max_revolutions` decide. If these show
+/// neither a period nor rest, a rotationally symmetric scene is searched for a comb. A motion that is still
+/// undecided is followed by `classify_aperiodic`, at the run's tolerance or 1e-7, whichever is tighter.
 SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
                   const motion::ResponseOptions& options, motion::Workspace& workspace);
 

@@ -27,8 +27,8 @@ std::vector<double> spread_of(const Followed& motion) {
   return square;
 }
 
-/// Start of a companion: the last section moved forwards or backwards along the shares of
-/// `first_disturbance`, each pair of companions farther than the pair before.
+/// Start of a companion: the last section, moved forwards or backwards by the shares of `first_disturbance`;
+/// each pair of companions is farther away than the pair before.
 std::vector<double> start_of(const Followed& motion, const std::vector<double>& spread, int companion,
                              double distance) {
   const auto last = motion.last_rows(1);
@@ -40,7 +40,7 @@ std::vector<double> start_of(const Followed& motion, const std::vector<double>& 
   return start;
 }
 
-/// Whether the motion is periodic in its last window; chaos does not return for so long.
+/// Whether the motion is periodic in its last window, during which chaos would not return all the time.
 bool returns(const Followed& lived, const SurvivalOptions& options) {
   const auto window = static_cast<std::size_t>(options.window);
   return lived.turns() > window &&

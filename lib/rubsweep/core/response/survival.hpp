@@ -7,10 +7,10 @@ namespace rubsweep::response {
 
 struct Followed;
 
-/// Observed survival of a chaotic motion: the turns for which it and its companions were followed, and how
-/// many of them left it. Chaos may be a transient of any length. Its escape is practically independent of the
-/// time already spent, so that its life is exponential; turns and escapes are all that is known about its
-/// mean.
+/// Observed survival of a chaotic motion: the number of turns for which the motion and its companions were
+/// followed, and the number of escapes. Chaos may be a transient of any length. Its escape is practically
+/// independent of the time already spent, so that its life has an exponential distribution. Turns and escapes
+/// are all that is known about the mean life.
 struct Survival {
   double turns = 0;
   int escapes = 0;
@@ -24,10 +24,11 @@ struct Survival {
 /// Settings for following companions of a chaotic motion, and criteria for an escape.
 struct SurvivalOptions {
   int companions = 2;
-  int turns = 320;         ///< largest number of turns per companion
-  int window = 64;         ///< turns without contact that are an escape; number of turns to show a period
+  int turns = 320;  ///< largest number of turns per companion
+  /// number of turns without contact that count as an escape; also number of turns to show a period
+  int window = 64;
   int max_order = 12;      ///< a section that returns within so many turns is also an escape
-  double distance = 0.01;  ///< distance of companions, in standard deviations of the section along the motion
+  double distance = 0.01;  ///< distance of companions from the motion, in standard deviations of its section
 };
 
 /// Follows companions from states near the last section of `motion`, whose own turns, all chaotic, count too.

@@ -70,8 +70,8 @@ void measure_again(const scene::Scene& scene, const SceneFacts& facts,
     look_for_comb(*record, options, workspace, motion);
 }
 
-/// Makes turns until one ends in the air, from where a motion can be followed whose contacts remember how
-/// they began.
+/// Makes turns until one ends without contact. From there a motion can be followed whose damping depends on
+/// approach speeds.
 bool goes_on_in_the_air(proof::SceneMap& map, std::vector<double>& section, int most_turns) {
   map.keep_memory();
   for (int turn = 0; turn < most_turns; ++turn) {

@@ -65,7 +65,7 @@ struct Verdict {
 /// Whether the motion at the end of the run may be aperiodic: the window shows neither a period nor rest.
 bool may_be_aperiodic(const motion::WindowVerdict& verdict);
 
-/// Verdict at the end of the run; `section` is that of its last turn, `watch` the result of watching for a
+/// Verdict at the end of the run; `section` is that of its last turn, `watch` the result of the search for a
 /// torus. Class and measures belong to one motion: if the motion that was followed for its class differs from
 /// that of the windows in `record`, it is measured again in its own last windows.
 Verdict verdict_of(const scene::Scene& scene, const SceneFacts& facts,

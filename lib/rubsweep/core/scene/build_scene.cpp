@@ -118,7 +118,7 @@ void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, d
              unbalance);
 }
 
-/// Sets both measures of an unbalance that is added to a bow or to forces at twice the speed, as in
+/// Sets both measures of an unbalance that acts together with a bow or with forces at twice the speed, as in
 /// set_unbalance.
 void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaining_m, const QuietMotion& bow,
                           const QuietMotion& unit) {
@@ -146,8 +146,8 @@ void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaini
              unbalance);
 }
 
-/// Smallest share in (0, 1] of the way to the static position at which the rotor meets a wall; 1 if it meets
-/// none.
+/// Smallest share in (0, 1] of the displacement to the static position at which the rotor meets a wall; 1 if
+/// it meets none.
 double share_before_contact(const Cell& cell) {
   double share = 1;
   for (const Contact& contact : cell.scene.contacts) {
@@ -190,14 +190,14 @@ Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
   return scene;
 }
 
-/// Sets a measure of the unbalance that overflows to NaN, because the other cannot be computed from it.
+/// If one measure of the unbalance overflows, sets it to NaN, because the other cannot be computed from it.
 void forget_what_overflows(Cell& cell) {
   for (double* said : {&cell.whirl_ratio, &cell.eccentricity_m}) {
     if (!std::isfinite(*said)) *said = std::numeric_limits<double>::quiet_NaN();
   }
 }
 
-/// Phase factor of the kick's delay: the angle by which the shaft has turned on from the smallest gap.
+/// Phase factor of the kick's delay: the angle by which the shaft turns from the smallest gap to the kick.
 std::complex<double> phase_of_kick(const model::Machine& machine) {
   const double phase_deg = machine.kick ? machine.kick->phase_deg.value_or(0) : 0;
   // Without a phase, the factor is exactly 1, so that the motion does not change by a bit.
@@ -254,7 +254,10 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
   }
   forget_what_overflows(cell);
   const bool has_quiet_motion = std::isfinite(amplitude_per_m) && std::isfinite(mean);
-  if (!has_quiet_motion || !std::isfinite(cell.eccentricity_m)) {
+  // A run from rest needs no quiet motion: at an undamped resonance the vibration grows until it meets a
+  // wall.
+  const bool needs_none = model::begins_at_rest(prepared.machine.start) && std::isfinite(mean);
+  if (!(has_quiet_motion || needs_none) || !std::isfinite(cell.eccentricity_m)) {
     cell.start = has_quiet_motion && mean >= 0 ? Start::initial_contact : Start::unreachable;
     return cell;
   }

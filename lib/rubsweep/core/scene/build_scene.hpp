@@ -40,8 +40,8 @@ constexpr bool can_run(Start start) { return start == Start::quiet || start == S
 struct Cell {
   Scene scene;
   QuietMotion quiet;
-  /// One of the two is given, the other computed. NaN where it does not exist: at an undamped resonance, or
-  /// where static forces leave no clearance at the first stop.
+  /// One of the two is given, the other is computed. NaN where it does not exist: at an undamped resonance,
+  /// or where static forces leave no clearance at the first stop.
   double eccentricity_m = 0, whirl_ratio = 0;
   Start start = Start::quiet;
 };
@@ -51,10 +51,10 @@ struct Cell {
 /// stop's wall unless it has an angle. Where the quiet motion itself reaches a wall, the rotor starts at
 /// rest, like a machine that is switched on: in its static position or as far towards it as the walls allow,
 /// with the same phase of the unbalance, without the kick. A bow and forces at twice the speed do not scale
-/// with the unbalance; where two eccentricities give the whirl ratio, the larger one is used. A start state
-/// given by the machine replaces this start (start_in_given_state). speed_hz > 0, and within the tables of
+/// with the unbalance; where two eccentricities give the whirl ratio, the larger one is used. If the machine
+/// gives a start state, it replaces this start (start_in_given_state). speed_hz > 0, and within the tables of
 /// all supports (structure::refuse_beyond_tables). A machine with tables has the same coordinates at all
-/// speeds; prepared_at gives one with the coordinates of a single speed.
+/// speeds; prepared_at gives a machine with the coordinates of a single speed.
 Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance);
 
 /// Builds a single cell and prepares its machine at this speed. Throws ConfigError for an invalid `machine`.

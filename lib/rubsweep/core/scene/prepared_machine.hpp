@@ -25,9 +25,9 @@ struct PreparedMachine {
 PreparedMachine prepare_machine(const model::Machine& machine);
 
 /// The machine at one speed, as if the coefficients of its supports at that speed had been entered as
-/// constants; reduced by the modes that it has there. Kept for the next call, from any thread. A machine
-/// without tables is returned unchanged. Throws ConfigError where a table does not reach the speed, or the
-/// supports do not hold the shaft there.
+/// constants, reduced to the modes that it has at this speed. The result is stored for the next call, from
+/// any thread. A machine without tables is returned unchanged. Throws ConfigError where a table does not
+/// reach the speed, or the supports do not hold the shaft there.
 PreparedMachine prepared_at(const PreparedMachine& prepared, double speed_hz);
 
 /// The prepared machine with another kick: `machine` differs only in force, duration, direction and phase of
@@ -35,7 +35,7 @@ PreparedMachine prepared_at(const PreparedMachine& prepared, double speed_hz);
 PreparedMachine prepare_other_kick(const PreparedMachine& prepared, const model::Machine& machine);
 
 /// A rotor kit prepared as by prepare_machine, but reduced to `modes` modes at every speed, whatever its own
-/// setting. The receptance error of the reduction, which takes most of the time, is not computed. Throws
+/// setting. The receptance error of the reduction, which would take most of the time, is not computed. Throws
 /// ConfigError as prepare_machine does.
 PreparedMachine prepare_with_modes(const model::Machine& machine, int modes);
 

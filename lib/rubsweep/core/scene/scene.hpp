@@ -40,8 +40,9 @@ struct Pulse {
 };
 
 /// Torsion: one coordinate is the angle in radians by which the rotor leads its drive, which turns at the
-/// scene's speed. All that turns with the rotor is then at the angle phi = speed t + coordinate: the members
-/// below replace Scene::harmonic_n, and also act back on the rotation. Only the adaptive solver supports it.
+/// scene's speed. Everything that turns with the rotor is then at the angle phi = speed t + coordinate: the
+/// members below replace Scene::harmonic_n, and also act back on the rotation. Only the adaptive solver
+/// supports torsion.
 struct Twist {
   Eigen::Index coordinate = 0;           ///< index in q; polar inertia and drive are on its diagonal
   Eigen::VectorXcd unbalance_kg_m;       ///< n: forces Re(unbalance (phi'^2 - i phi'') e^{i phi})
@@ -66,7 +67,7 @@ struct Scene {
   Eigen::VectorXd constant_n;            ///< n: constant force
   std::vector<Pulse> pulses;
   std::vector<structure::ImpulseTrain> impulses;
-  long elapsed_revolutions = 0;    ///< revolutions that the impulse trains have behind them at t = 0
+  long elapsed_revolutions = 0;    ///< number of revolutions that the impulse trains have completed at t = 0
   Eigen::VectorXd displacement_m;  ///< n: displacements q(0)
   Eigen::VectorXd velocity_m_per_s;
   std::optional<Twist> twist{};

@@ -11,7 +11,7 @@ namespace rubsweep::scene {
 namespace {
 
 /// Samples per revolution. The functions below have no order above 4, so at most four maxima. Maxima less
-/// than two samples apart differ by at most 1e-5 of the motion, and each sampled maximum is refined.
+/// than two samples apart differ by at most 1e-5 of the motion, and each maximum of the samples is refined.
 constexpr int samples = 256;
 
 /// Value of a function of the phase with its first two derivatives.

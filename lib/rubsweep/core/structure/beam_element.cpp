@@ -47,7 +47,7 @@ Placed segment_at(const model::RotorKit& kit, double position_m) {
 }
 
 /// Symmetric element matrix from its independent entries. The signs between deflections and angles follow
-/// from reversing the beam end for end.
+/// from exchanging the two ends of the beam.
 Eigen::Matrix4d element(double ww, double ws, double ww_far, double ws_far, double ss, double ss_far) {
   Eigen::Matrix4d m;
   m << ww, ws, ww_far, ws_far,   //

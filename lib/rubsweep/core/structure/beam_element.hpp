@@ -45,8 +45,8 @@ struct BeamElement {
 /// its segment's length. A straight element is exact for static end loads. Frequencies converge with the
 /// fourth order of the element's length, their shear part with the second (Przemieniecki, Theory of Matrix
 /// Structural Analysis, 1968, sections 5.6 and 11.4; Friswell, Penny, Garvey, Lees, Dynamics of Rotating
-/// Machines, 2010, section 5.4). A tapered element uses the shape functions of a straight one with the
-/// section at half length, but the energies of its true section.
+/// Machines, 2010, section 5.4). For a tapered element, the shape functions are those of a straight element
+/// with the section at half length, but the energies are those of its true section.
 BeamElement timoshenko_element(const model::ShaftLayer& layer, double length_m, double from = 0,
                                double to = 1);
 
@@ -54,8 +54,8 @@ BeamElement timoshenko_element(const model::ShaftLayer& layer, double length_m, 
 BeamElement layered_element(const model::ShaftSegment& segment, double length_m, double from, double to);
 
 /// Shear coefficient of a round hollow section at the share `at` of the segment's length, by Cowper or by
-/// Hutchinson, whose value for a solid section is 6 (1 + nu)^2 / (7 + 12 nu + 4 nu^2). Infinite without
-/// shear.
+/// Hutchinson. Hutchinson's value for a solid section is 6 (1 + nu)^2 / (7 + 12 nu + 4 nu^2). Infinite
+/// without shear.
 double shear_coefficient(const model::ShaftLayer& layer, double at = 0);
 
 /// Cross-section for the mass at the share `at` of the segment's length: area in m^2, second moment of area

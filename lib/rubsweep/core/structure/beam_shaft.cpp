@@ -39,7 +39,7 @@ void add_disc(const model::Disc& disc, BeamShaft& shaft) {
   shaft.gyroscopic(s, s) += disc.polar_inertia_kg_m2;
   shaft.polar_inertia_kg_m2 += disc.polar_inertia_kg_m2;
   shaft.unbalance_kg(w) += phasor(disc.mass_kg * disc.eccentricity_ratio, disc.eccentricity_phase_deg);
-  // A disc tilted by t e^{i w t} against the shaft feels the moment (I_d - I_p) w^2 t e^{i w t}.
+  // A disc tilted by t e^{i w t} against the shaft exerts the moment (I_d - I_p) w^2 t e^{i w t}.
   const double leaning = (disc.diametral_inertia_kg_m2 - disc.polar_inertia_kg_m2) * disc.skew_rad_per_m;
   shaft.unbalance_kg(s) += phasor(leaning, disc.skew_phase_deg);
 }
@@ -107,7 +107,8 @@ void add_point_masses(const model::RotorKit& kit, BeamShaft& shaft) {
 }
 
 std::optional<Eigen::Index> find_deflection(const std::vector<double>& node_position_m, double position_m) {
-  // Tolerance slightly above the merging distance of stations, so that rounding of either does not matter.
+  // Tolerance slightly above the distance at which stations are merged, so that rounding of either does not
+  // matter.
   const double tolerance = (1 + 1e-3) * same_place * node_position_m.back();
   for (std::size_t node = 0; node < node_position_m.size(); ++node) {
     if (std::abs(node_position_m[node] - position_m) <= tolerance) return static_cast<Eigen::Index>(2 * node);
@@ -184,7 +185,7 @@ BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<doub
   // Rigid translation: deflections 1, angles 0. The consistent mass makes the static sag exact at the nodes.
   Eigen::VectorXd translation = Eigen::VectorXd::Ones(n);
   for (Eigen::Index s = 1; s < on_shaft; s += 2) translation(s) = 0;
-  // Weight along y, without the fluid in supports, which does not load them by its weight.
+  // Weight along y, without the fluid in supports, whose mass adds no weight.
   shaft.weight_kg = (shaft.mass + of_points) * translation;
   return shaft;
 }
@@ -202,7 +203,8 @@ Eigen::VectorXd support_gap(const BeamShaft& shaft, const model::RotorKit& kit, 
 Eigen::VectorXd least_bent_line(const BeamShaft& shaft, const model::BowPoints& points) {
   const auto n = static_cast<Eigen::Index>(2 * shaft.node_position_m.size());
   const auto count = static_cast<Eigen::Index>(points.position_m.size());
-  // Stationary energy under the constraints, scaled: multipliers must not dwarf the shape.
+  // The elastic energy is stationary under the constraints. The equations are scaled, so that the multipliers
+  // are not much larger than the shape.
   const auto elastic = shaft.elastic.topLeftCorner(n, n);
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + count, n + count);
   system.topLeftCorner(n, n) = elastic / elastic.cwiseAbs().maxCoeff();

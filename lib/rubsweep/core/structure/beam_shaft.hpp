@@ -55,8 +55,9 @@ struct BeamShaft {
 };
 
 /// Mesh and matrices of a valid kit. Nodes are at the ends of segments, at every part, and at `stations_m`;
-/// elements between them are no longer than the shaft's length / kit.elements. A kit with matrices has
-/// exactly their nodes; throws ConfigError where a part or one of `stations_m` is at none of them.
+/// elements between them are no longer than the shaft's length / kit.elements. A kit with matrices has only
+/// the nodes of its matrices; throws ConfigError where a part or one of `stations_m` is at none of these
+/// nodes.
 BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<double>& stations_m);
 
 /// Displacement of the shaft or housing at a support relative to the support's base, as a row on the n

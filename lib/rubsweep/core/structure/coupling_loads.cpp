@@ -9,7 +9,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Adds the force and moment of a joint to the end behind it, and the opposite to the end before it.
+/// Adds the force and moment of a joint to the end after it, and the opposite ones to the end before it.
 void push_ends(Eigen::VectorXcd& load, Eigen::Index before, Complex force, Complex moment) {
   load(before) -= force;
   load(before + 1) -= moment;
@@ -32,7 +32,7 @@ Misalignment standing(const model::Coupling& coupling) {
 Eigen::VectorXcd misalignment_load(const BeamShaft& shaft, const model::RotorKit& kit) {
   Eigen::VectorXcd load = Eigen::VectorXcd::Zero(shaft.coordinates());
   for (const auto& coupling : kit.couplings) {
-    // A joint whose ends are held apart by d acts on each of them with stiffness times d.
+    // A joint whose ends are held a distance d apart acts on each of them with stiffness times d.
     push_ends(
         load, shaft.deflection(coupling.position_m),
         phasor(coupling.lateral_stiffness_n_per_m * coupling.parallel_offset_m, coupling.parallel_phase_deg),

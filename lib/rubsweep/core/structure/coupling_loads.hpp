@@ -13,7 +13,7 @@ Eigen::VectorXcd misalignment_load(const BeamShaft& shaft, const model::RotorKit
 Eigen::VectorXcd standing_misalignment_load(const BeamShaft& shaft, const model::RotorKit& kit);
 
 /// Static position q_x + i q_y, n, of the shaft at standstill under a constant load (x + i y). Supports with
-/// tables count with their coefficients at the middle speed.
+/// tables have their coefficients at the middle speed.
 Eigen::VectorXcd position_at_rest(const BeamShaft& shaft, const Eigen::VectorXcd& load);
 
 /// Load by couplings whose stiffness depends on direction, to first order in their asymmetry, n, in the x

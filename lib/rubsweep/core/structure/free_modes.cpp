@@ -48,7 +48,7 @@ class ShiftedInverse {
   }
 
  private:
-  /// Unit of each coordinate from its stiffness, or from its mass where nothing else resists motion.
+  /// Unit of each coordinate from its stiffness, or from its mass if nothing else resists its motion.
   static Eigen::VectorXd unit_of(const SpeedMatrices& matrices, double radius) {
     const Eigen::VectorXd size = matrices.stiffness.diagonal().cwiseAbs().cwiseMax(
         radius * radius * matrices.mass.diagonal().cwiseAbs());
@@ -101,7 +101,8 @@ class KrylovSpace {
   }
 
  private:
-  /// Orthogonalises `state` against the others and adds the rest; returns its components along all.
+  /// Orthogonalises `state` against the other states and adds the remainder as a new state; returns its
+  /// components along all states.
   Eigen::VectorXd append(const Eigen::VectorXd& state) {
     constexpr double nothing = 1e-14;
     Eigen::VectorXd next = state, shares = Eigen::VectorXd::Zero(states_.cols());
@@ -167,7 +168,8 @@ FreeModes free_modes(const SpeedMatrices& matrices, const RateDisc& disc) {
   const ShiftedInverse inverse(matrices, disc);
   KrylovSpace space(inverse);
   for (Index states = first_states;; states += states / 2) {
-    // Building most of the space costs more than all of it at once, and only the full space closes.
+    // To build most of the space step by step costs more than the whole space at once, and only the full
+    // space closes.
     space.grow_to(4 * states > 3 * inverse.states() ? inverse.states() : states);
     if (auto found = settled_modes(inverse, space, disc)) return std::move(*found);
   }
@@ -201,7 +203,7 @@ bool follow_free_mode(const SpeedMatrices& matrices, Complex& rate_per_s, Eigen:
 }
 
 double rate_rounding_per_s(const SpeedMatrices& matrices, Complex rate_per_s, const Eigen::VectorXcd& shape) {
-  // Left eigenvector: that of the transposed matrices, which are regular slightly off the rate.
+  // Left eigenvector, computed from the transposed matrices, which are regular slightly off the rate.
   const Complex beside = rate_per_s * (1 + 1e-10);
   const Eigen::MatrixXcd transposed = dynamic_stiffness(matrices, beside).transpose();
   Eigen::VectorXcd left = Eigen::VectorXcd(shape.conjugate());
@@ -212,7 +214,8 @@ double rate_rounding_per_s(const SpeedMatrices& matrices, Complex rate_per_s, co
                                  rate * (matrices.damping.cwiseAbs() * size) +
                                  matrices.stiffness.cwiseAbs() * size;
   const double change = std::abs((left.transpose() * by_rate(matrices, rate_per_s, shape)).value());
-  constexpr Index of_the_iteration = 16;  // the iteration rounds as well, even in a rotor of two coordinates
+  // the iteration adds rounding, too, even in a rotor of two coordinates
+  constexpr Index of_the_iteration = 16;
   return static_cast<double>(std::max(2 * shape.size(), of_the_iteration)) * epsilon *
          left.cwiseAbs().dot(forces) / change;
 }

@@ -20,17 +20,19 @@ struct FreeModes {
 };
 
 /// All free vibrations in a disc, double ones listed twice; a coordinate without mass has none. They come
-/// from a block Krylov space of the inverse about the centre, in which the rates nearest the centre converge
-/// first. The space grows until all vibrations in the disc solve the equations to rounding, at last to the
-/// full space. Throws SolverError where the centre is itself a rate or an iteration does not converge.
+/// from a block Krylov space of the inverse about the centre, in which the rates nearest to the centre
+/// converge first. The space grows until all vibrations in the disc solve the equations to rounding, if
+/// necessary to the full space. Throws SolverError where the centre is itself a rate or an iteration does not
+/// converge.
 FreeModes free_modes(const SpeedMatrices& matrices, const RateDisc& disc);
 
 /// Rates of all free vibrations; most precise for rates of the order of `unit_per_s`. Only for small
 /// matrices, because it uses the full space.
 Eigen::VectorXcd all_rates_per_s(const SpeedMatrices& matrices, double unit_per_s);
 
-/// The vibration next to `rate_per_s` and `shape` at other matrices, by Newton's method: shape and rate are
-/// replaced. False where it does not converge: the rate still moves by more than `precision` of itself.
+/// The vibration that continues the one of `rate_per_s` and `shape` at changed matrices, by Newton's method:
+/// shape and rate are replaced. False where the iteration does not converge: the relative change of the rate
+/// still exceeds `precision`.
 bool follow_free_mode(const SpeedMatrices& matrices, std::complex<double>& rate_per_s,
                       Eigen::VectorXcd& shape, double precision = 0x1p-50);
 

@@ -24,7 +24,8 @@ using std::numbers::pi;
 constexpr double grid_decades = 2.5;
 constexpr double growing = 1e-4;  ///< share of its frequency above which growth is certain
 
-/// Number of frequency points for a system of this size: each solution costs the third power of it.
+/// Number of frequency points for a system of this size; the cost of each grows with the third power of the
+/// size.
 int points_for(Index coordinates) {
   constexpr int most = 100, least = 25;
   constexpr double many = 150;
@@ -53,8 +54,8 @@ double distance(std::complex<double> rate, const Eigen::VectorXcd& others) {
   return least;
 }
 
-/// Largest ratio of differences to `sizes`, the last one weighted by `share_of_last`. A size of 0 is skipped,
-/// as where there are no loads.
+/// Largest ratio of `differences` to `sizes`; the last ratio is weighted by `share_of_last`. A size of 0 is
+/// skipped, as where there are no loads.
 double largest_share(const Eigen::VectorXd& differences, const Eigen::VectorXd& sizes, double share_of_last) {
   double largest = 0;
   for (Index i = 0; i < sizes.size(); ++i) {
@@ -68,8 +69,8 @@ bool any_grows(const Eigen::VectorXcd& rates, double share) {
   return std::ranges::any_of(rates, [=](const auto& rate) { return rate.real() > share * std::abs(rate); });
 }
 
-/// Whether one set of rates surely has a growing vibration and the other surely has none. A margin keeps out
-/// speeds near the onset of growth, where either may be right.
+/// Whether one set of rates surely has a growing vibration and the other surely has none. A margin excludes
+/// speeds near the onset of growth, where either set may be right.
 bool contradict(const Eigen::VectorXcd& one, const Eigen::VectorXcd& other) {
   const auto only_first = [](const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
     return any_grows(a, growing) && !any_grows(b, growing / 4);
@@ -179,8 +180,8 @@ MatrixXcd FullReference::receptance(const Rotor& rotor, std::size_t line, double
     if (rotor.matrices.circulatory.size() > 0)
       dynamic += std::complex<double>(w, loss * w) * rotor.matrices.circulatory;
   }
-  // Responses are few, and forces stand wherever the shaft has unbalance: the equations are solved from the
-  // left.
+  // The equations are solved from the left, because there are few responses, whereas forces act wherever the
+  // shaft has unbalance.
   const MatrixXcd left = numerics::solve_banded(
       dynamic.transpose(), rotor.responses.transpose().cast<std::complex<double>>(), rotor.band);
   MatrixXcd value(rotor.responses.rows(), rotor.forces.cols());
@@ -201,7 +202,7 @@ Eigen::VectorXd FullReference::sizes(const MatrixXcd& value) const {
 double FullReference::line_error(const Rotor& reduced, std::size_t line, double enough) const {
   double worst = 0;
   for (int k = points_ - 1; k >= 0 && worst <= enough; --k) {
-    // Reference over neighbouring frequencies: an antiresonance is no reason to add more modes.
+    // Each reference is taken over neighbouring frequencies: an antiresonance is no reason to add more modes.
     Eigen::VectorXd size = Eigen::VectorXd::Zero(static_cast<Index>(forces_m_.size()) + 1);
     for (int j = std::max(0, k - around_); j <= std::min(points_ - 1, k + around_); ++j)
       size = size.cwiseMax(sizes(exact_[line][static_cast<std::size_t>(j)]));

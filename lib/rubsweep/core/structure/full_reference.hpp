@@ -9,8 +9,8 @@
 
 namespace rubsweep::structure {
 
-/// Weight of two kinds of difference. Resonances move with the last digits of a frequency; and the response
-/// to a load away from all attachment modes depends on the modes alone.
+/// Weight of two kinds of difference: those at resonances, which shift with the last digits of a frequency,
+/// and those under a load away from all attachment modes, where the response depends on the modes alone.
 inline constexpr double share_beside = 0.2;
 
 /// Reference for reductions of one kit: its full matrices with dampers, cross-coupling, gyroscopic moments
@@ -18,22 +18,22 @@ inline constexpr double share_beside = 0.2;
 class FullReference {
  public:
   /// Responses are in x and y at `responses_m`, forces act at `forces_m`. Responses to forces at `loads_m`
-  /// and to the shaft's unbalance are compared as a group of their own.
+  /// and to the shaft's unbalance are compared as a separate group.
   FullReference(const BeamShaft& shaft, const model::RotorKit& kit, std::vector<double> responses_m,
                 std::vector<double> forces_m, std::vector<double> loads_m);
 
   /// Worst relative difference of a receptance up to kit.modes_up_to_hz. The reference for each force
-  /// position is its largest receptance within a fifth of the frequency. Compared at standstill, turning with
-  /// the force, and with supports at the lowest and highest speed of their tables, at even steps of log
-  /// frequency. Differences at the resonances of the reduced rotor and under unbalance and loads are weighted
-  /// by share_beside. The search ends once a difference exceeds `enough`.
+  /// position is its largest receptance within a fifth of the frequency. Receptances are compared at
+  /// standstill, turning with the force, and with supports at the lowest and highest speed of their tables,
+  /// at even steps of log frequency. Differences at the resonances of the reduced rotor and under unbalance
+  /// and loads are weighted by share_beside. The search ends once a difference exceeds `enough`.
   double receptance_error(const Reduction& reduction, double enough) const;
 
   /// Comparison of growing (unstable) vibrations up to kit.modes_up_to_hz.
   struct Growth {
     double error = 0;  ///< worst difference of rate or frequency of a vibration that grows in either model
     bool mistaken =
-        false;  ///< true: at some speed, full and reduced model disagree whether a vibration grows
+        false;  ///< true: at some speed a vibration grows in only one of the two models, full and reduced
   };
   Growth growth(const Reduction& reduction) const;
 
@@ -72,8 +72,9 @@ class FullReference {
 };
 
 /// Whether the reduced rotor, without its stops, is unstable by mistake at a speed within the tables: a
-/// vibration surely grows although none does by the full matrices. Also true if one up to kit.modes_up_to_hz
-/// grows by the full matrices and none in the reduced rotor. Stops must be nodes of the shaft.
+/// vibration surely grows although none does in the full model. Also true in the opposite case: a vibration
+/// up to kit.modes_up_to_hz grows in the full model, but none in the reduced rotor. Stops must be nodes of
+/// the shaft.
 bool growth_is_mistaken(const BeamShaft& shaft, const model::RotorKit& kit, const Assembly& reduced,
                         double speed_rad_per_s);
 

@@ -14,7 +14,8 @@
 namespace rubsweep::structure {
 namespace {
 
-constexpr double node_of_mode = 1e-6;  ///< smallest squared deflection off a node, over the squared largest
+/// smallest squared deflection at a stop / squared largest one, for a stop that is at no node
+constexpr double node_of_mode = 1e-6;
 
 /// Whether the damping constant of a contact depends on the rotor mass.
 bool takes_mass(const model::ContactDamping& damping) {

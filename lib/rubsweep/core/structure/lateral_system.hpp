@@ -22,7 +22,7 @@ struct LateralSystem {
   Eigen::Index coordinates() const { return shapes[0] + shapes[1]; }
   /// Index of the coordinate of shape `j` of a plane.
   Eigen::Index index(std::size_t plane, Eigen::Index j) const;
-  /// Vector of all coordinates from one that is given per shape of one plane; zeros elsewhere.
+  /// Vector of all coordinates from a vector that is given per shape of one plane; zeros elsewhere.
   Eigen::VectorXd scatter(std::size_t plane, const Eigen::VectorXd& per_shape) const;
 };
 
@@ -42,8 +42,8 @@ struct PlaneModes {
 /// stiffness is not positive definite, or no mode can be computed.
 PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, Eigen::Index count);
 
-/// A rotor kit in all coordinates of its finite elements, x and y side by side: the reference for its reduced
-/// models. It uses no reduced basis; structural damping includes all modes.
+/// A rotor kit in all coordinates of its finite elements, x and y side by side. It is the reference for the
+/// reduced models: it has no reduced basis, and its structural damping includes all modes.
 struct FullSystem {
   LateralSystem system;         ///< shapes are the coordinates; without the terms that depend on the speed
   Eigen::MatrixXd circulatory;  ///< circulatory matrix as in Assembly
@@ -57,8 +57,8 @@ struct SpeedMatrices {
   Eigen::MatrixXd mass, damping, stiffness;
 };
 
-/// The matrices at a speed. Supports with tables keep the coefficients in `full` (`supports_rad_per_s` empty)
-/// or have those of a speed of their tables.
+/// The matrices at a speed. Supports with tables keep the coefficients in `full` (if `supports_rad_per_s` is
+/// empty), or have those at this speed of their tables.
 SpeedMatrices matrices_at(const FullSystem& full, double speed_rad_per_s,
                           std::optional<double> supports_rad_per_s = {});
 

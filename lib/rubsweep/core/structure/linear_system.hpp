@@ -23,8 +23,8 @@ struct LinearSystem {
   Eigen::Index coordinates() const { return mass.rows(); }
 };
 
-/// Impulses at a fixed ratio to the rotation: `multiple` per revolution. The first one comes `phase_periods`
-/// of the interval between two impulses after the start of a run.
+/// Impulses at a fixed ratio to the rotation: `multiple` per revolution. The time from the start of a run to
+/// the first one is `phase_periods` of the interval between two impulses.
 struct ImpulseTrain {
   Eigen::VectorXd impulse_ns;  ///< n: generalised impulse; the velocities jump by mass^-1 impulse
   double multiple = 0;         ///< impulses per revolution, > 0

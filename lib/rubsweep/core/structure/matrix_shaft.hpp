@@ -59,8 +59,8 @@ TurningUnbalance turning_unbalance(const model::ShaftMatrices& matrices, const M
 
 /// The matrices as a beam shaft: nodes on the shaft by position, each with deflection and slope, then one
 /// coordinate for each pair of directions of the other bodies. All stiffness is stored as that of supports
-/// and all mass as added mass, plane by plane, so that no bit changes. A slope that the matrices lack gets a
-/// stiffness coupled with nothing. Throws ConfigError with the first of problems_of.
+/// and all mass as added mass, plane by plane, so that no bit changes. If the matrices lack a slope, it gets
+/// a stiffness without coupling. Throws ConfigError with the first of problems_of.
 BeamShaft matrix_shaft(const model::ShaftMatrices& matrices);
 
 /// The machine with the full finite-element model of its rotor kit as matrices. Nodes are at all parts,

@@ -23,8 +23,9 @@ bool may_feed_vibrations(const BeamShaft& shaft, const model::RotorKit& kit);
 
 /// Both planes with the modes that the motion may need. A mode is seen if it moves one of `places_m`, or if
 /// damping, gyroscopic moments, cross terms or tables couple it with a seen mode, directly or through others.
-/// Other modes can neither be excited from there nor act there, but may still grow if something feeds energy
-/// into them. Throws ConfigError where numbers are too far apart for any mode to be seen or computed.
+/// Other modes can neither be excited at these places nor act there, but they may still grow if something
+/// feeds energy into them. Throws ConfigError where numbers are too far apart for any mode to be seen or
+/// computed.
 std::array<StudiedPlane, 2> study_planes(const BeamShaft& shaft, const model::RotorKit& kit,
                                          const std::vector<double>& places_m);
 

@@ -13,11 +13,11 @@ namespace {
 
 constexpr int grid_speeds = 200;
 constexpr int bisections = 30;
-/// Relative error of the symmetry of a matrix after projection on shapes.
+/// Relative error in the symmetry of a matrix after its projection on shapes.
 constexpr double rounding_of_a_projection = 1e-10;
 
-/// State matrix for states (w p, p') of mass-normalised coordinates p, w being the frequency of each alone.
-/// All entries are rates, so that slow vibrations are as accurate as fast ones.
+/// State matrix for states (w p, p') of mass-normalised coordinates p, where w is the frequency of each
+/// coordinate alone. All entries are rates, so that slow vibrations are as accurate as fast ones.
 Eigen::MatrixXd generator_of(const LinearSystem& system) {
   const numerics::dense::CholeskyFactors mass(system.mass);
   const auto normalised = [&](const Eigen::MatrixXd& matrix) {
@@ -69,13 +69,14 @@ double growth_per_s(const LinearSystem& system) {
   const double largest = modes.values.real().maxCoeff();
   if (!(largest > 0)) return largest;
   if (never_grows(system)) return 0;
-  // The condition number of a rate's eigenvector tells how far rounding moves the rate.
+  // The condition number of a rate's eigenvector shows how far rounding shifts the rate.
   constexpr double steps = 8;
   const Eigen::MatrixXcd left = numerics::dense::inverse(modes.vectors);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   double growth = 0;
   for (Eigen::Index k = 0; k < modes.values.size(); ++k) {
-    // A defective eigenvector has no condition number; rounding then moves its rate by the root of epsilon.
+    // A defective eigenvector has no condition number; rounding then shifts its rate by the square root of
+    // epsilon.
     const double condition = left.row(k).norm() * modes.vectors.col(k).norm();
     const double share =
         std::isfinite(condition) ? std::min(epsilon * condition, std::sqrt(epsilon)) : std::sqrt(epsilon);

@@ -59,7 +59,7 @@ void add_lacking(const TabledSupport& support, double speed_rad_per_s, Eigen::Ma
   std::vector<Eigen::Index> moved;
   for (Eigen::Index i = 0; i < support.map.cols(); ++i)
     if (!support.map.col(i).isZero(0)) moved.push_back(i);
-  // In all coordinates of a shaft a support moves with two of hundreds.
+  // In the coordinates of a whole shaft, a support moves with only two of hundreds.
   if (2 * static_cast<Eigen::Index>(moved.size()) <= support.map.cols()) {
     const auto map = support.map(Eigen::all, moved);
     stiffness(moved, moved) += map.transpose() * lacking.stiffness * map;

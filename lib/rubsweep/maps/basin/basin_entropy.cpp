@@ -17,7 +17,7 @@ bool uncertain(const LabelGrid& grid, std::size_t column, std::size_t row, std::
   return false;
 }
 
-/// Share of boxes that hold more than one label, among boxes side by side of `steps` grid steps a side.
+/// Share of boxes with more than one label. A box has `steps` grid steps a side, and boxes adjoin each other.
 double uncertain_share(const LabelGrid& grid, std::size_t steps) {
   std::size_t boxes = 0, found = 0;
   for (std::size_t row = 0; row + steps < grid.rows; row += steps) {

@@ -15,12 +15,12 @@ namespace rubsweep::batch {
 
 /// Number of steps of size `step` > 0 from `from` to `to`, in either direction. Counts in decimals: from 30
 /// to 31 there are ten steps of 0.1, although the doubles of these numbers do not fit exactly. Empty where no
-/// integer number of steps ends at `to`, and where the three numbers together need more than 15 digits.
+/// whole number of steps ends at `to`, or where the three numbers together need more than 15 digits.
 std::optional<std::int64_t> whole_steps(double from, double to, double step);
 
-/// Two neighbouring values of the sequence `from`, `from` +- `step`, ... between which `to` lies, the nearer
-/// one to `from` first. Used to advise a user whose steps miss `to`. Empty where the three numbers together
-/// need more than 15 digits.
+/// The two neighbouring values of the sequence `from`, `from` +- `step`, ... between which `to` lies; the
+/// value nearer to `from` comes first. Used to advise a user whose steps miss `to`. Empty where the three
+/// numbers together need more than 15 digits.
 std::optional<std::pair<double, double>> steps_beside(double from, double to, double step);
 
 /// Values from `from` to `to`, both included, at distances of `step`. Each is the double nearest to its
@@ -63,14 +63,14 @@ struct Spacing {
   double from = 0, to = 0;
   int count = 1;
   bool logarithmic = false;
-  double step = 0;  ///< 0: spaced by the count; else distance of the values, see decimal_steps
+  double step = 0;  ///< distance of the values, see decimal_steps; 0: spaced by the count
 
   bool operator==(const Spacing&) const = default;
 };
 
-/// Values of an axis in SI units; 1 SI unit is `units_per_si` written units. Ends are converted before the
-/// values between them are placed, but with a step each value is converted. Throws ConfigError as
-/// evenly_spaced does, and std::invalid_argument as decimal_steps does.
+/// Values of an axis in SI units; 1 SI unit is `units_per_si` written units. With a count, the ends are
+/// converted first, and the values between them are spaced in SI units. With a step, each value is converted.
+/// Throws ConfigError as evenly_spaced does, and std::invalid_argument as decimal_steps does.
 inline std::vector<double> spaced(const Spacing& spacing, double units_per_si = 1) {
   if (spacing.step > 0) {
     std::vector<double> values = decimal_steps(spacing.from, spacing.to, spacing.step);

@@ -114,7 +114,7 @@ double number_of(const std::filesystem::path& path, std::size_t line, const std:
   return value;
 }
 
-/// Refuses a table whose checksum is wrong before any number is taken from it.
+/// Refuses a table with a wrong checksum before any number is read from it.
 void require_as_written(InputLines& lines, const std::filesystem::path& path) {
   try {
     check_table(lines, path);
@@ -175,7 +175,7 @@ bool CsvReader::read_record() {
     } else if (!record_.empty() || (line != "\n" && line != "\r\n")) {
       record_ += line;
       quotes += std::ranges::count(line, '"');
-      if (quotes % 2 == 0) return true;  // an odd count: a quoted cell continues in the next line
+      if (quotes % 2 == 0) return true;  // an odd number of quotes: a quoted cell continues in the next line
     }
   }
 }
@@ -195,7 +195,7 @@ bool CsvReader::next() {
 }
 
 void CsvReader::read_at(const RowPosition& place) {
-  // Maps are mostly read in order, and without a seek the buffered bytes stay valid.
+  // Maps are mostly read in order. Without a seek the buffered bytes stay valid.
   if (place.offset != next_.offset) lines_.go_to(place.offset);
   next_ = place;
   if (!next()) fail(path_, place.line, "the file has become shorter");

@@ -12,7 +12,8 @@
 
 namespace rubsweep::batch {
 
-/// Shortest text that reads back to the same double; empty for NaN (does not apply); "inf" and "-inf".
+/// Shortest text that reads back to the same double; empty for NaN, which means "does not apply"; "inf" and
+/// "-inf".
 std::string csv_number(double value);
 
 /// One line without its end: cells joined by commas. A cell is quoted (RFC 4180) only where it would not read
@@ -42,7 +43,7 @@ class CsvReader {
   /// Reads the next row; false when there is none.
   bool next();
 
-  /// Reads the row at a position that place() gave before; `next` continues after it.
+  /// Reads the row at a position that place() returned earlier. `next` then continues with the following row.
   void read_at(const RowPosition& place);
 
   const std::vector<std::string>& cells() const { return cells_; }  ///< cells of the current row

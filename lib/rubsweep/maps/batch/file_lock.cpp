@@ -18,9 +18,9 @@
 namespace rubsweep::batch {
 namespace {
 
-/// Number of refusals, within a tenth of a second, after which a lock counts as held. One refusal is no
-/// proof: a process that leaves a shared lock holds it alone for an instant, and one that asks for the holder
-/// shares it.
+/// Number of refusals, within a tenth of a second, after which a lock counts as held. A single refusal is no
+/// proof, since others may hold the lock only for an instant: a process that releases a shared lock, or one
+/// that asks for the holder.
 constexpr int most_refusals = 20;
 constexpr std::chrono::milliseconds between_refusals{5};
 
@@ -65,7 +65,7 @@ std::string identity(const std::string& purpose) {
                      host.data(), fmt::gmtime(now), identity_end);
 }
 
-/// Text of a lock file, read through the descriptor, since the file's name may be gone already.
+/// Text of a lock file, read through the descriptor, since the file may have been removed or renamed.
 std::string written_holder(int descriptor) {
   std::array<char, 512> text{};
   const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
@@ -103,8 +103,9 @@ void require_own_text(int descriptor, const std::filesystem::path& path) {
                   path.string()));
 }
 
-/// Opens the file at `path` to be locked. The second value is true if it may be written. In a shared
-/// directory only its owner may be able to write it; if that owner is dead, the file can still be locked.
+/// Opens the file at `path` to be locked. The second value is true if the file may be written. In a shared
+/// directory perhaps only the file's owner may write it; if that process is dead, the file can still be
+/// locked.
 std::pair<Descriptor, bool> open_lock(const std::filesystem::path& path) {
   constexpr int most_attempts = 3;  // another process may remove the file during an attempt
   for (int attempt = 1;; ++attempt) {
@@ -143,7 +144,7 @@ FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string&
     guards_ = error != ENOLCK;
     if (error != 0 && error != EWOULDBLOCK && guards_) throw_io_error("lock", path_, error);
     if (error == EWOULDBLOCK || !still_there) continue;  // the holder has just removed the file
-    // The file of a dead owner is replaced by our own, where the directory allows it.
+    // Where the directory permits it, the file of a dead process is replaced by a new one.
     if (!may_write && mode == LockMode::exclusive && ::unlink(path_.c_str()) == 0) continue;
     writable = may_write;
     descriptor_.emplace(std::move(descriptor));
@@ -153,13 +154,14 @@ FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string&
   require_own_text(descriptor_->get(), path_);
   if (::ftruncate(descriptor_->get(), 0) != 0) throw_io_error("write", path_, errno);
   if (const int error = write_all(descriptor_->get(), identity(purpose))) {
-    (void)!::ftruncate(descriptor_->get(), 0);  // no half line, which we could not recognise as ours
+    // an incomplete line would not be recognised as written by this program
+    (void)!::ftruncate(descriptor_->get(), 0);
     throw_io_error("write", path_, error);
   }
 }
 
 FileLock::~FileLock() {
-  // The directory may have been replaced by a new one of the same name, whose lock is not ours.
+  // A new directory of the same name may have replaced the old one; its lock belongs to others.
   if ((!guards_ || lock(descriptor_->get(), LOCK_EX | LOCK_NB) == 0) && is_file_at(descriptor_->get(), path_))
     ::unlink(path_.c_str());
 }

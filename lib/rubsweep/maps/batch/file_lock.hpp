@@ -20,18 +20,17 @@ enum class Patience {
 };
 
 /// Lock that a process holds during the life of this object. The system releases it however the process ends.
-/// The lock is on a file that names the holder. If the holder was killed, its file stays, but is no longer
-/// locked.
+/// The locked file names the holder. If the holder was killed, the file remains, but is no longer locked.
 class FileLock {
  public:
   /// Throws LockedError "PATH is held by HOLDER", and IoError where the file cannot be created. `purpose` is
-  /// written to the file, for other processes that find the lock taken. The file of a dead process may belong
-  /// to another user in a directory where only that user may remove it. Such a file is locked, but still
-  /// names its old owner.
+  /// written to the file, for other processes that find it locked. The file may belong to a dead process of
+  /// another user, in a directory where only this user may remove it. It is then locked, but still names its
+  /// old owner.
   FileLock(std::filesystem::path path, LockMode mode, const std::string& purpose,
            Patience patience = Patience::none);
   ~FileLock();  ///< removes the file, unless others share the lock or the file was replaced
-  /// False where the file system has no locks, so that others are not kept away.
+  /// False where the file system has no locks, so that other processes are not excluded.
   bool guards() const { return guards_; }
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;

@@ -45,8 +45,8 @@ class LineReader {
  public:
   explicit LineReader(const std::filesystem::path& path) : lines_(path) {}
 
-  /// Takes the next line without its end; false at the end. A last line without an end was torn and is
-  /// ignored.
+  /// Takes the next line without its line end; false at the end of the file. A last line without a line end
+  /// was not written completely and is ignored.
   bool next(std::string_view& line, std::uint64_t& offset) {
     if (std::exchange(again_, false)) {
       line = line_;
@@ -89,7 +89,8 @@ std::string header_text(const JournalHeader& header) {
   return text;
 }
 
-/// Reads the header and verifies its lines first, since they decide whether the records can be trusted.
+/// Reads the header and verifies its lines first, since these lines decide whether the records can be
+/// trusted.
 JournalHeader read_header(LineReader& lines, const std::filesystem::path& path) {
   JournalHeader header;
   int number = 0, first_damaged = 0;
@@ -168,8 +169,7 @@ Journal::Journal(const std::filesystem::path& path, const JournalHeader& header)
         refuse_link("write", path);
         std::error_code unknown;
         const bool there = std::filesystem::exists(path, unknown);
-        // A file that cannot be examined may still exist, and writing a header over it would destroy its
-        // records.
+        // A file that cannot be examined may still exist. Writing a header over it would destroy its records.
         if (unknown) throw_io_error("look at", path, unknown.value());
         if (!there) write_whole_file(path, header_text(header));
         return path;

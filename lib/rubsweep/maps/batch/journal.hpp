@@ -21,7 +21,7 @@ struct JournalHeader {
   std::string program_digest;     ///< digest of the code that computes the results
   std::size_t cells = 0;          ///< cells of the whole grid; records have cells 0 ... cells - 1
   std::string study;              ///< study as lines of text, to name differences
-  std::size_t damaged_lines = 0;  ///< damaged lines that were not needed
+  std::size_t damaged_lines = 0;  ///< number of damaged lines that the reader could do without
 };
 
 /// Thrown where a journal is too damaged to show to which computation its records belong.
@@ -29,7 +29,7 @@ class DamagedJournal : public IoError {
   using IoError::IoError;
 };
 
-/// Whether results of both journals may be mixed: by their digests, or by the study where the digest of `a`
+/// Whether results of both journals may be mixed: compares their digests, or the studies if the digest of `a`
 /// was damaged.
 bool same_results(const JournalHeader& a, const JournalHeader& b);
 
@@ -40,19 +40,19 @@ struct JournalRecord {
   std::uint64_t offset;   ///< place of the text in the file
 };
 
-/// Reads the header above the records. Damage to one of its parts is ignored where the rest suffices: the
-/// first line, the line above the records, the study where its digest is good, or the digest (then left
-/// empty) where the study is good. Throws DamagedJournal where more is damaged, or IoError.
+/// Reads the header above the records. Damage to one part is ignored where the other parts suffice: to the
+/// first line, to the line above the records, to the study if its digest is intact, or to the digest (then
+/// left empty) if the study is intact. Throws DamagedJournal where more is damaged, or IoError.
 JournalHeader read_journal_header(const std::filesystem::path& path);
 
 /// Calls `on_record` with every undamaged record, in the order of the file, and returns the number of damaged
-/// ones. Their cells count as not finished, and so does the cell of a last record that is cut off. A cell may
-/// occur more than once. Throws IoError as read_journal_header does.
+/// records. Their cells count as not finished; the same holds for the cell of a last record that is cut off.
+/// A cell may occur more than once. Throws IoError as read_journal_header does.
 std::size_t read_journal(const std::filesystem::path& path,
                          const std::function<void(const JournalRecord&)>& on_record);
 
 /// Append-only file of finished cells: one line each, `CRC-32 cell text`, so that every record can be
-/// verified alone. The header is written whole or not at all.
+/// verified separately. The header is written whole or not at all.
 class Journal {
  public:
   /// Continues the journal at `path`, or begins a new one. The caller must have checked that an existing
@@ -70,8 +70,8 @@ class Journal {
   LineLog log_;
 };
 
-/// Index of the finished cells in several journals. Takes eight bytes for each cell of the grid; the texts
-/// stay in the files, which must not shrink.
+/// Index of the finished cells in several journals. It takes eight bytes for each cell of the grid. The texts
+/// stay in the files, which must not become shorter.
 class FinishedCells {
  public:
   explicit FinishedCells(std::size_t cells) : places_(cells, nowhere) {}
@@ -98,7 +98,7 @@ class FinishedCells {
   };
 
   std::vector<File> files_;
-  /// Place of each cell: upper 16 bits index of the file, lower 48 bits offset of the text.
+  /// Position of each cell's record: upper 16 bits index of the file, lower 48 bits offset of the text.
   std::vector<std::uint64_t> places_;
   std::size_t count_ = 0;
 };

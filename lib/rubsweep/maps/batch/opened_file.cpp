@@ -96,7 +96,7 @@ void make_directory(const fs::path& directory) {
   error.clear();
   fs::create_directories(directory, error);
   if (error) throw IoError(fmt::format("{}: {}", directory.string(), error.message()));
-  // Syncs from the new directory up to the existing one, since each of them got a new name.
+  // Syncs all directories from the new one up to the one that existed, since each of them got a new entry.
   for (fs::path made = whole; made != before && made.has_relative_path();) {
     made = made.parent_path();
     sync_directory(made);

@@ -26,7 +26,7 @@ class Descriptor {
 
   int get() const { return value_; }
 
-  /// Gives up the file; the caller must close it.
+  /// Releases the descriptor without closing it; the caller must close it.
   int release();
 
  private:
@@ -52,22 +52,22 @@ void refuse_link(std::string_view action, const std::filesystem::path& path);
 int write_all(int descriptor, std::string_view text);
 
 /// Waits until the names in a directory are on the disk, after files were renamed, created or removed there.
-/// Without this a loss of power may undo any of these changes, in any order. Does nothing on a file system
-/// that cannot sync. Throws IoError.
+/// Without this, a loss of power may undo these changes in any order. Does nothing on a file system that
+/// cannot sync. Throws IoError.
 void sync_directory(const std::filesystem::path& directory);
 
 /// Creates a directory and missing ones above it, and syncs them to the disk. Throws IoError.
 void make_directory(const std::filesystem::path& directory);
 
-/// Kinds of files that may be read. A pipe or a device could keep its reader waiting forever, so that a name
-/// must lead to a regular file. With `also_passed_on` any file is allowed that the caller of the program
-/// opened, such as /dev/stdin or /dev/fd/63.
+/// Kinds of files that may be read. A pipe or a device could make its reader wait forever, so a name must
+/// lead to a regular file. `also_passed_on` also permits files that the caller of the program opened, such as
+/// /dev/stdin or /dev/fd/63.
 enum class InputKind { regular_file, also_passed_on };
 
 /// An open file, or the reason why it could not be opened.
 struct Input {
   Descriptor descriptor;
-  std::string problem;  ///< such as "No such file or directory"; empty: it is open
+  std::string problem;  ///< such as "No such file or directory"; empty: the file is open
 };
 
 /// Opens a file for reading. Never waits for a writer.
@@ -85,12 +85,12 @@ class InputLines {
   InputLines(const InputLines&) = delete;
   InputLines& operator=(const InputLines&) = delete;
 
-  /// The next line with its end, which the last one may lack; an empty view where nothing follows. It is good
-  /// until the next call. Throws IoError with the name of the file; bad_alloc for a line that does not fit
-  /// into memory, which must not pass for the end of the file.
+  /// The next line with its line end, which the last line may lack; an empty view at the end of the file. The
+  /// view is valid until the next call. Throws IoError with the name of the file, and bad_alloc for a line
+  /// that does not fit into memory.
   std::string_view next();
 
-  /// Goes on with the line that begins at this offset. Throws IoError.
+  /// Continues with the line that begins at this offset. Throws IoError.
   void go_to(std::uint64_t offset);
 
  private:

@@ -59,7 +59,7 @@ struct Failures {
 
 /// Atomics that repeat happens-before relations of TBB for the thread sanitizer, because libtbb is built
 /// without it. Code before the run happens before every cell, and every cell before the code after the run.
-/// Two cells are not ordered, so that a race between them is still found.
+/// Two cells are not ordered, so that the sanitizer still finds a race between them.
 std::atomic<std::size_t> runs_begun{0}, cells_ended{0};
 
 /// Marks the end of a cell, and of a run, also after an exception.
@@ -70,8 +70,8 @@ struct RunEnd {
   ~RunEnd() { static_cast<void>(cells_ended.load(std::memory_order_acquire)); }
 };
 
-/// Body of the loop, which TBB copies from thread to thread. Its function has a name of its own for
-/// tests/thread_sanitizer.supp.
+/// Body of the loop, which TBB copies from thread to thread. The function has a name, so that
+/// tests/thread_sanitizer.supp can refer to it.
 struct RunCells {
   const std::function<void(std::size_t)>& run_one;
 
@@ -84,14 +84,15 @@ struct RunCells {
   }
 };
 
-/// Largest growth of a chunk over the last one, since a few easy cells say little about the next ones.
+/// Largest growth of a chunk from one to the next, because a few easy cells do not mean that the next ones
+/// are easy.
 constexpr double fastest_growth = 4;
 
-/// Divisor of the smallest chunk. Near the end still smaller chunks would cost more than idle workers.
+/// Divisor of the smallest chunk. Near the end, still smaller chunks would cost more than idle workers.
 constexpr std::size_t least_share = 16;
 
-/// Stride near the golden section of `count`, and without a common divisor with it. Its multiples, however
-/// many, are spread as evenly as possible.
+/// Stride near the golden section of `count`, without a common divisor with `count`. Any number of its first
+/// multiples is spread as evenly as possible.
 std::size_t spreading_stride(std::size_t count) {
   auto stride = static_cast<std::size_t>(static_cast<double>(count) / std::numbers::phi);
   while (std::gcd(stride, count) > 1) ++stride;
@@ -115,10 +116,10 @@ std::size_t machine_memory_bytes() {
 void require_threads(int threads, int beside) {
   const int count = thread_count(threads);
   if (count == 1) return;
-  // One of the threads is the calling one.
+  // The calling thread is one of the threads.
   const auto wanted = static_cast<std::size_t>(count) - 1 + static_cast<std::size_t>(beside);
-  // Declared before the promise and joined after it: the promise's destructor releases the threads, whatever
-  // is thrown.
+  // Declared before the promise and joined after it: if anything is thrown, the promise's destructor releases
+  // the threads.
   std::vector<std::jthread> started;
   std::promise<void> all_started;
   const std::shared_future<void> end = all_started.get_future().share();
@@ -157,8 +158,8 @@ std::size_t parallel_run(std::size_t count, int threads,
     on_finished(cell);
   };
 
-  // Both are needed: an arena alone has at most one thread per processor, and the control alone leaves the
-  // number to the caller's arena.
+  // Both are needed: an arena alone has at most one thread per processor, and with the control alone the
+  // caller's arena sets the number.
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(concurrency));
   tbb::task_arena arena(concurrency);

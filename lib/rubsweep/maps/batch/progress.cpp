@@ -11,7 +11,7 @@ namespace {
 /// Largest number of tiles: few enough to sum over all of them ten times a second.
 constexpr std::size_t most_tiles = 4096;
 
-/// Number of measured cells at which a neighbourhood has as much weight as the wider one around it.
+/// Number of measured cells at which a neighbourhood has as much weight as the wider neighbourhood around it.
 constexpr double weight_of_wider = 0.5;
 
 constexpr std::size_t tiles_along(std::size_t cells, std::size_t side) { return (cells - 1) / side + 1; }
@@ -195,8 +195,8 @@ void Progress::finish() {
 
 double Progress::elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-/// Time per cell in s, averaged over the kept ends and the time since the last of them. Slow cells that still
-/// run are thus noticed at once.
+/// Time per cell in s, averaged over the recorded end times and the time since the last of them. Slow cells
+/// that still run therefore count at once.
 double Progress::recent_s_per_cell() const {
   if (ends_.empty()) return 0;
   return std::chrono::duration<double>(Clock::now() - ends_.front()).count() /

@@ -12,7 +12,7 @@ class Sha256 {
  public:
   void add(std::string_view text);
 
-  /// Digest of everything added, as 64 hexadecimal digits. Nothing may be added afterwards.
+  /// Digest of all added text, as 64 hexadecimal digits. Nothing may be added afterwards.
   std::string digits();
 
  private:
@@ -27,8 +27,8 @@ class Sha256 {
 /// Digest of a whole text.
 std::string sha256_of(std::string_view text);
 
-/// HTML page with the line `<!-- sha256 DIGITS -->` inserted as its second. The digits are the SHA-256 of all
-/// other lines: `sed '/^<!-- sha256 /d' FILE | sha256sum`.
+/// HTML page with the line `<!-- sha256 DIGITS -->` inserted as its second line. The digits are the SHA-256
+/// of all other lines: `sed '/^<!-- sha256 /d' FILE | sha256sum`.
 std::string with_page_sum(std::string_view page);
 
 enum class PageSum {

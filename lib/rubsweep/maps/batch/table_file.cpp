@@ -20,8 +20,8 @@ constexpr std::string_view growing_ending = ".partial.csv";
 
 std::string sum_line(std::string_view digits) { return fmt::format("{}{}\n", sum_mark, digits); }
 
-/// Computes the checksum of all lines except its own, and collects what the head says. No row begins with
-/// '#'.
+/// Computes the checksum of all lines except the checksum line, and collects what the comments at the begin
+/// say. No row begins with '#'.
 class TableCheck {
  public:
   void add(std::string_view line) {
@@ -68,7 +68,7 @@ class TableCheck {
   bool first_ = true;
   bool ends_ = true;  ///< true: the text ends with a line end
   bool ends_in_cr_lf_ =
-      false;  ///< true: lines end in CR LF, as programs of other systems write them, which changes no number
+      false;  ///< true: lines end in CR LF, as programs of other systems write them; the numbers are the same
 };
 
 }  // namespace
@@ -152,7 +152,7 @@ TableSource table_source(const ResultSource& source) {
   return {fmt::format("{} {}", source.program, RUBSWEEP_VERSION), source.digest, {}, source.captions};
 }
 
-/// Whether a file is a table, which holds its own checksum.
+/// Whether a file is a table, which contains its own checksum.
 bool is_table(const fs::path& name) { return name.extension() == ".csv"; }
 
 /// File that is complete on the disk but does not have its final name yet.
@@ -180,7 +180,7 @@ void write_result_files(const ResultFiles& files, std::span<const std::string_vi
   table.files.insert(table.files.end(), source.made_of.begin(), source.made_of.end());
   std::vector<Waiting> waiting;
   for (const auto& [name, text] : files) waiting.push_back(waiting_file(directory / name, text, table));
-  // A symbolic link stays, and the file that it leads to is replaced.
+  // A symbolic link stays; the file to which it leads is replaced.
   for (const auto& [name, text] : files) fs::remove(file_behind(directory / name));
   std::vector<std::string_view> others(names.begin(), names.end());
   std::erase_if(others, [&](std::string_view name) { return files.contains(name); });

@@ -30,11 +30,12 @@ struct TableSource {
       sums{};  ///< SHA-256 of files that cannot contain it, by name
 };
 
-/// Comment lines at the begin of every table, without the checksum, which a growing table cannot have.
+/// Comment lines at the begin of every table, without the checksum, because a growing table has none.
 std::string table_head(const TableSource& source);
 
-/// Comma-separated file with its head, which appears whole or not at all. Its line `# sha256 DIGITS` has the
-/// SHA-256 of all other lines: `sed '/^# sha256 /d' FILE | sha256sum`. Every function throws IoError.
+/// Comma-separated file with its comment lines (table_head). It appears whole or not at all. Its line `#
+/// sha256 DIGITS` has the SHA-256 of all other lines: `sed '/^# sha256 /d' FILE | sha256sum`. Every function
+/// throws IoError.
 class TableFile {
  public:
   TableFile(std::filesystem::path path, const TableSource& source);
@@ -65,8 +66,7 @@ enum class TableSum {
 };
 
 /// Compares a table with its checksum. Throws DamagedTable where they do not agree, or where a table that
-/// must have a checksum has none. Throws IoError. Line ends CR LF, which other systems may write, count as
-/// LF.
+/// must have a checksum has none. Throws IoError. Line ends CR LF of other systems count as LF.
 TableSum check_table(const std::filesystem::path& path);
 
 /// Checks the table in an open file, which must be at its begin and is there again afterwards.
@@ -75,8 +75,8 @@ TableSum check_table(InputLines& lines, const std::filesystem::path& path);
 /// Checks the table with these bytes; `path` is only for messages.
 TableSum check_table_text(std::string_view text, const std::filesystem::path& path);
 
-/// Remarks of a person on a configuration. They are shown, but no digest includes them. UTF-8 without control
-/// characters; the note may have line ends.
+/// Remarks of a person on a configuration. They are shown with the results, but no digest includes them.
+/// UTF-8 without control characters; the note may have line ends.
 struct Captions {
   std::string title{}, author{}, note{};
 
@@ -87,7 +87,8 @@ struct Captions {
 /// for every line of the note. Empty where all captions are empty.
 std::string caption_lines(const Captions& captions);
 
-/// Texts by file name. Tables are given without the head that write_result_files adds.
+/// Texts by file name. Tables are given without the comment lines that write_result_files adds at their
+/// begin.
 using ResultFiles = std::map<std::string_view, std::string>;
 
 /// Program that wrote some results, and the study to which they belong.
@@ -95,12 +96,12 @@ struct ResultSource {
   std::string program;  ///< name without version
   std::string digest;
   std::string captions{};              ///< lines as caption_lines gives them
-  std::vector<std::string> made_of{};  ///< files in the same directory that the results come from
+  std::vector<std::string> made_of{};  ///< files in the same directory from which the results were computed
 };
 
-/// Replaces the files `names` of a directory, all that a run may leave there, by those of a new run. A file
+/// Replaces the files `names` of a directory (all that a run may write there) by those of a new run. A file
 /// of `names` without a text is removed. A directory never mixes two runs, even after a crash or a loss of
-/// power. First all new files are written to the disk under temporary names, then all old ones are removed,
+/// power. First all new files are written to the disk under temporary names, then all old files are removed,
 /// and only then do the new files get their names. Throws IoError.
 void write_result_files(const ResultFiles& files, std::span<const std::string_view> names,
                         const std::filesystem::path& directory, const ResultSource& source);
@@ -109,14 +110,14 @@ void write_result_files(const ResultFiles& files, std::span<const std::string_vi
 /// processes left. Throws IoError.
 void remove_result_files(std::span<const std::string_view> names, const std::filesystem::path& directory);
 
-/// Head of a table of `source` that still grows and therefore has no checksum.
+/// Comment lines at the begin of a table of `source` that still grows and therefore has no checksum.
 std::string growing_table_head(const ResultSource& source);
 
 /// Line for a terminal, "files     DIRECTORY: NAME NAME", with its line end.
 std::string files_line(const ResultFiles& files, const std::filesystem::path& directory);
 
-/// Directory for another result of the study whose map goes into `map`: with the ending trace, results/map or
-/// results/map/ gives results/map_trace.
+/// Directory for another result of the study whose map is written to `map`: with the ending trace,
+/// results/map or results/map/ gives results/map_trace.
 std::filesystem::path directory_beside(const std::filesystem::path& map, std::string_view ending);
 
 }  // namespace rubsweep::batch

@@ -36,7 +36,8 @@ constexpr std::size_t buffer_bytes = 65536;
 
 constexpr std::string_view mark = ".tmp-";
 
-/// Removes a temporary file unless it is locked, as its writer locks it until it is renamed (see WholeFile).
+/// Removes a temporary file unless it is locked: its writer keeps it locked until it is renamed (see
+/// WholeFile).
 void remove_where_nobody_writes(const std::filesystem::path& file) {
   const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   if (opened.get() < 0 || ::flock(opened.get(), LOCK_EX | LOCK_NB) != 0) return;
@@ -52,16 +53,16 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path) {
   return temporary += fmt::format("{}{}-{}", mark, host.data(), ::getpid());
 }
 
-/// Size of a file in bytes, 0 for a device. Throws where the size is unknown: such a file must not count as
-/// empty, as it would then be truncated.
+/// Size of a file in bytes, 0 for a device. Throws where the size is unknown, because a file that counts as
+/// empty would be truncated.
 off_t size_of(int descriptor, const std::filesystem::path& path) {
   struct stat facts {};
   if (::fstat(descriptor, &facts) != 0) throw_io_error("look at", path, errno);
   return S_ISREG(facts.st_mode) ? facts.st_size : 0;
 }
 
-/// Length of the file up to the end of its last complete line. Reads backwards, so that the size does not
-/// matter.
+/// Length of the file up to the end of its last complete line. Reads backwards, so that the time does not
+/// depend on the size of the file.
 off_t whole_lines(int descriptor, const std::filesystem::path& path) {
   std::array<char, 4096> block;
   off_t end = size_of(descriptor, path);
@@ -86,8 +87,8 @@ WholeFile::WholeFile(std::filesystem::path path)
         return open_temporary();
       }()) {}
 
-/// Opens the temporary file and locks it, so that no other process removes it as a leftover. A file system
-/// without locks cannot protect it.
+/// Opens the temporary file and locks it, so that no other process removes it as a leftover. Without locks in
+/// the file system it is not protected.
 Descriptor WholeFile::open_temporary() const {
   while (true) {
     Descriptor opened = open_file(temporary_, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK, "write", path_);
@@ -208,7 +209,7 @@ LineLog::LineLog(std::filesystem::path path, std::chrono::milliseconds interval)
 void LineLog::append(std::string_view line) {
   const off_t before = size_of(descriptor_.get(), path_);
   int error = write_all(descriptor_.get(), std::string(line) + '\n');
-  // A failure is ignored here: the next process that opens the log cuts off an incomplete line, too.
+  // A failure is ignored here, because the next process that opens the log also cuts off an incomplete line.
   if (error != 0) (void)!::ftruncate(descriptor_.get(), before);
   if (error != 0) throw_io_error("write", path_, error);
   appended_ = true;

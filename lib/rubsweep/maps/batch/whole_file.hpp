@@ -12,10 +12,10 @@
 
 namespace rubsweep::batch {
 
-/// File that appears under its name whole or not at all. The text goes to a temporary file beside it, which
-/// is renamed at the end. A symbolic link stays; a device or pipe is refused. Leftover temporary files of
-/// killed processes are removed at the start. Two threads must not use the same path. Every function throws
-/// IoError with path and reason, and an older file of that name is then unchanged.
+/// File that appears under its name whole or not at all. The text goes to a temporary file in the same
+/// directory, which is renamed at the end. A symbolic link stays; a device or pipe is refused. Leftover
+/// temporary files of killed processes are removed at the start. Two threads must not use the same path.
+/// Every function throws IoError with path and reason; an older file with this name is then unchanged.
 class WholeFile {
  public:
   explicit WholeFile(std::filesystem::path path);
@@ -38,7 +38,8 @@ class WholeFile {
   /// Finishes and renames, then waits until the new name is on the disk, too.
   void commit();
 
-  /// Finishes and renames without that wait, for several files of a directory that is synced after the last.
+  /// Finishes and renames without waiting for the disk: for several files of a directory that is synced after
+  /// the last file.
   void rename();
 
  private:
@@ -90,7 +91,7 @@ class LineLog {
 
   /// Syncs appended lines to the disk once `interval` is over. After a failure the next `append` throws.
   void refresh();
-  /// Syncs at once, as refresh does after the interval.
+  /// Syncs at once, without waiting for the interval.
   void sync();
 
  private:

@@ -41,8 +41,8 @@ constexpr std::array captions_there_are{
     Caption{"note", &batch::Captions::note, yaml::max_text_bytes, true,
             "anything else, of several lines where needed"}};
 
-/// First character of `text` that is not shown as it is, in escaped form; empty where there is no such
-/// character. Line ends are allowed in a text of many lines.
+/// First character of `text` that a terminal would not show as it is, in escaped form; empty where there is
+/// no such character. Line ends are allowed in a text of many lines.
 std::string hidden_in(std::string_view text, bool many_lines) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = std::max<std::size_t>(yaml::utf8_length(text.substr(i)), 1);

@@ -20,8 +20,9 @@ namespace rubsweep::config {
 
 /// Parses a configuration, merges it with its bases (see base.hpp; their paths are relative to `file`), and
 /// applies the overrides (see override.hpp). Problems go to `diagnostics`. Throws ConfigError where the text
-/// is empty or no YAML document, and where a base cannot be read. `form` says in words what may stand in the
-/// configuration. `alternatives` of its keys are taken back where one of them is written over another.
+/// is empty or no YAML document, and where a base cannot be read. `form` describes in words the possible
+/// content of the configuration. `alternatives`: keys that exclude each other; a key removes those that it
+/// excludes in the file below.
 yaml::Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,
                         const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics,
                         const yaml::Alternatives& alternatives = {});
@@ -42,8 +43,8 @@ auto read_parsed(std::string_view text, const std::filesystem::path& file, std::
 /// Key `base`, which any map may have.
 keys::Key base_of_map();
 
-/// Refuses a configuration of another `program`: one that has a key of `theirs` and no key of `ours`, so that
-/// every key would be unknown. Throws ConfigError.
+/// Refuses a configuration of another `program`: it has a key of `theirs` but no key of `ours`, so that every
+/// key would be unknown. Throws ConfigError.
 void refuse_foreign(const yaml::Node& root, std::initializer_list<std::string_view> theirs,
                     std::initializer_list<std::string_view> ours, std::string_view program,
                     yaml::Diagnostics& diagnostics);
@@ -59,8 +60,8 @@ keys::Form run_output_form();
 void print_run_output(yaml::Printer& printer, const RunConfig& config);
 
 /// Reads `title`, `author` and `note` of a root: texts that change no number. Refuses characters that are not
-/// shown as written: control characters (a note may have line ends), and characters that turn the direction
-/// of writing.
+/// shown as written: control characters (line ends are allowed in a note), and characters that change the
+/// direction of writing.
 void read_captions(yaml::Section& root, batch::Captions& captions);
 
 /// The keys that read_captions reads.

@@ -13,9 +13,9 @@ namespace rubsweep::config {
 
 /// Values and axis over keys that a line of cells takes from a configuration.
 struct LineKeys {
-  std::vector<sweep::KeyValue> fixed;  ///< values that hold in every cell of the line
-  sweep::KeyAxis along;  ///< axis that the line runs along, with its values; empty keys: no such axis
-  double factor = 1;     ///< factor of that axis for the key that the line is named by; not 0
+  std::vector<sweep::KeyValue> fixed;  ///< keys that have one value in all cells of the line
+  sweep::KeyAxis along;  ///< axis along which the line runs, with its values; empty keys: no such axis
+  double factor = 1;     ///< factor of this axis for the key after which the line is named; not 0
 };
 
 /// Whether overrides name all keys of an axis. An override names a key if it writes the key or a map that
@@ -23,24 +23,24 @@ struct LineKeys {
 bool are_named(const sweep::KeyAxis& axis, const std::vector<std::string>& overrides);
 
 /// Splits the axes over keys of `grid`, the grid of the configuration in `file` under these overrides.
-/// `along` is the key that the line runs along, empty for a single cell. An axis whose keys are all named by
-/// overrides has the values that these give. An axis with one value keeps that value. For any other axis the
-/// caller must choose a value: throws ConfigError with the places of all such axes. Keys in `said_elsewhere`
-/// count as named.
+/// `along`: the key along which the line runs; empty for a single cell. If overrides name all keys of an
+/// axis, the axis has the values of the overrides. An axis with one value keeps this value. For any other
+/// axis the caller must choose a value: throws ConfigError with the places of all such axes. Keys in
+/// `said_elsewhere` count as named.
 LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::filesystem::path& file,
                    const std::vector<std::string>& overrides,
                    const std::vector<std::string>& said_elsewhere = {});
 
-/// Reads a configuration whose cells differ by speed and unbalance alone: values of axes over keys are
-/// written into their keys, and these axes are removed. An axis has the values given elsewhere if all its
-/// keys are named by overrides or are in `said_elsewhere`. Throws ConfigError as read_run_config does, and
-/// with the place of every other axis of several values.
+/// Reads a configuration whose cells differ only by speed and unbalance. Values of axes over keys are written
+/// into their keys, and these axes are removed. If overrides or `said_elsewhere` name all keys of an axis,
+/// their values are used. Throws ConfigError as read_run_config does, and with the place of every other axis
+/// of several values.
 RunConfig read_cell_config(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                            const std::vector<std::string>& said_elsewhere = {});
 
-/// Place of a key of a configuration that was read before: `file:line:column`, or `--set key=value` for an
-/// override. Only the file where the key is not given. `path` is spelt as overrides are. Throws ConfigError
-/// where the file is no longer a configuration.
+/// Place of a key in a configuration that was read before: `file:line:column`, or `--set key=value` for an
+/// override, or only the file where the key is not given. `path` is spelt as overrides are. Throws
+/// ConfigError where the file is no longer a configuration.
 std::string place_of_key(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                          std::string_view path);
 

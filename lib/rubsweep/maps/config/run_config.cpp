@@ -35,7 +35,7 @@ constexpr std::string_view root_form = "a map with rotor, stops, sweep, output";
 
 RunConfig read_sections(const yaml::Value& root) {
   yaml::Section section(root, root_form);
-  section.find(yaml::base_key);  // resolved before, but a known key that a misspelt one may resemble
+  section.find(yaml::base_key);  // resolved before; known here so that a misspelt key can be compared with it
   RunConfig config;
   config.study = study::read_study(section);
   if (const auto value = section.require("output", "a map")) read_run_output(*value, config);
@@ -53,8 +53,7 @@ const model::JeffcottRotor* jeffcott(const sweep::Study& study) {
   return std::get_if<model::JeffcottRotor>(&study.machine.rotor);
 }
 
-/// Unit in which slow speeds were probably given: multiples of the natural frequency, or Hz beside a natural
-/// frequency in rpm.
+/// Unit in which slow speeds were probably given: multiples of the natural frequency, or Hz instead of rpm.
 std::string_view unit_of_slow_speeds(double fastest_hz, double natural_hz) {
   if (fastest_hz >= 0.5 && fastest_hz <= 20) return " (multiples of it?)";
   const double by_minute = natural_hz / model::rpm_per_hz;
@@ -84,7 +83,7 @@ std::optional<Question> idle_kick(const sweep::Study& study) {
       "1?)"};
 }
 
-/// Clearances count from the position without weight. A start that lies on the stop is meant so.
+/// The clearance is measured from the position without weight. A start that lies on the stop is intended.
 std::optional<Question> sag_onto_stop(const sweep::Study& study) {
   const auto* rotor = jeffcott(study);
   const double gravity = study.machine.gravity_m_per_s2;
@@ -127,10 +126,10 @@ void add_restitutions(const sweep::Study& study, std::vector<Question>& question
   }
 }
 
-/// Questions about numbers that are plausible each alone but odd together: all speeds far below the natural
+/// Questions about numbers that are each plausible but odd together: all speeds far below the natural
 /// frequency of a Jeffcott rotor, a kick that no cell uses because each begins in contact, a rotor that sags
-/// onto a stop, a nominal restitution that no impact reaches. `root` is the configuration that `study` was
-/// read from without a problem. Each question has the form that unit_questions describes.
+/// onto a stop, a nominal restitution that no impact reaches. `root`: the configuration from which `study`
+/// was read without a problem. Each question has the form that unit_questions describes.
 std::vector<std::string> plan_questions(const yaml::Value& root, const sweep::Study& study) {
   std::vector<Question> asked;
   for (auto& question : {slow_speeds(root.node, study), idle_kick(study), sag_onto_stop(study)}) {
@@ -192,7 +191,7 @@ RunConfig read_run_config_text(std::string_view text, const std::string& name,
   if (diagnostics.count() == 0) vary_keys({root, "", diagnostics}, config.study);
   diagnostics.throw_if_any();
   config.questions = unit_questions({root, "", diagnostics}, &config.study.machine);
-  // After a question about units other oddities follow from the same slip, and are not asked about.
+  // If there is a question about units, other oddities follow from the same slip and are not mentioned.
   if (config.questions.empty()) config.questions = plan_questions({root, "", diagnostics}, config.study);
   return config;
 }

@@ -16,7 +16,7 @@
 
 namespace rubsweep::config {
 
-/// One complete configuration of `rubsweep`: the study and where its files go.
+/// One complete configuration of `rubsweep`: the study and the directory of its files.
 struct RunConfig {
   sweep::Study study;
   std::filesystem::path output_directory;
@@ -32,15 +32,15 @@ struct RunConfig {
   }
 };
 
-/// Reads a configuration, merged with the bases that it names (see base.hpp), after the `key.path=value`
-/// strings of `overrides` (see override.hpp) replaced values. Name, type, range and meaning of every key are
+/// Reads a configuration, merges it with the bases that it names (see base.hpp), and replaces values by the
+/// `key.path=value` strings of `overrides` (see override.hpp). Name, type, range and meaning of every key are
 /// checked, and optional keys that are left out get their defaults.
 ///
-/// Throws ConfigError with every problem found, one a line, in the order of the files (a base before the file
-/// that names it), then of the overrides: `file:line:column: path.to.key: what is wrong, allowed: what is
-/// allowed`. A problem of an override begins with `--set path.to.key=value` in place of `file:line:column`. A
-/// file that is not YAML, or a base that cannot be read, is reported alone. Throws IoError where the file
-/// cannot be read.
+/// Throws ConfigError with every problem found, one a line: `file:line:column: path.to.key: what is wrong,
+/// allowed: what is allowed`. Problems are in the order of the files (a base before the file that names it),
+/// then of the overrides. A problem of an override begins with `--set path.to.key=value` instead of
+/// `file:line:column`. A file that is not YAML, or a base that cannot be read, is reported alone. Throws
+/// IoError where the file cannot be read.
 RunConfig read_run_config(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
 /// Reads a configuration from a text. `name` stands for the file in messages, and bases are relative to it.
@@ -51,25 +51,26 @@ RunConfig read_run_config_text(std::string_view text, const std::string& name,
 /// All keys of a configuration of `rubsweep`.
 keys::Form run_form();
 
-/// Keys of it that exclude each other.
+/// Keys of run_form() that exclude each other.
 const yaml::Alternatives& run_alternatives();
 
-/// Reads only the machine of a configuration, from a text. Skips the checks for likely slips of units, which
-/// would prepare the machine several times: meant for many variants of one configuration. Throws ConfigError.
+/// Reads only the machine of a configuration, from a text. Meant for many variants of one configuration:
+/// skips the checks for likely slips of units, which would prepare the machine several times. Throws
+/// ConfigError.
 model::Machine read_machine_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides);
 
-/// Complete configuration as YAML, defaults included, that reads back as an equal one. Axes are printed as
-/// they were written: by ends and count, and in the unit of the file. Configurations that are written alike
-/// give equal bytes. Optional keys without a value (kick, kick.angle_deg, contact_mass_kg) are left out.
-/// Matrices of a rotor are printed as texts, or as names of files beside the configuration. Throws
-/// ConfigError where the output directory is not UTF-8.
+/// Complete configuration as YAML, defaults included, that reads back as an equal configuration. Axes are
+/// printed as they were written: by ends and count, and in the unit of the file. Configurations that were
+/// written alike give equal bytes. Optional keys without a value (kick, kick.angle_deg, contact_mass_kg) are
+/// left out. Matrices of a rotor are printed as texts, or as names of files in the directory of the
+/// configuration. Throws ConfigError where the output directory is not UTF-8.
 std::string print_config(const RunConfig& config,
                          machine::MatrixPrint matrices = machine::MatrixPrint::inside);
 
 /// Study as YAML with everything that decides the numbers of a map, but without captions and `output`. Axes
-/// are printed by their values in SI units, so that equal studies give equal bytes however their files were
-/// written.
+/// are printed by their values in SI units, so that equal studies give equal bytes even if their files were
+/// written differently.
 std::string print_study(const sweep::Study& study);
 
 /// Names of all files that exported_matrices may return.
@@ -78,16 +79,17 @@ inline constexpr std::string_view exported_matrix_files[]{
     "unbalance.csv", "rotor.yaml"};
 
 /// Full finite-element model of the rotor as files by name: the matrices, tables of the degrees of freedom
-/// and the unbalance, and rotor.yaml. That is the same configuration with these files in place of the rotor
-/// kit, and its results go beside those of the given configuration. Throws ConfigError where matrices cannot
-/// represent the rotor, and where an axis of the sweep or the study varies a part of it.
+/// and the unbalance, and rotor.yaml. The file rotor.yaml is the same configuration with these files instead
+/// of the rotor kit; its results are written beside those of the given configuration. Throws ConfigError
+/// where matrices cannot represent the rotor, and where an axis of the sweep or the study varies a part of
+/// it.
 std::map<std::string_view, std::string> exported_matrices(const RunConfig& config);
 
 /// Name-based UUID (version 5, SHA-1) of a text.
 std::string digest_of(std::string_view text);
 
 /// Digest of everything that decides the numbers of a map (see print_study): a name-based UUID (version 5,
-/// SHA-1). Equal studies have equal digests however their files were written.
+/// SHA-1). Equal studies have equal digests even if their files were written differently.
 std::string study_digest(const sweep::Study& study);
 
 }  // namespace rubsweep::config

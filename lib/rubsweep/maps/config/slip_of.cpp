@@ -29,22 +29,23 @@ enum class Scale {
   frequency_rpm,     ///< lowest natural frequency in revolutions per minute
   period_s,          ///< period of the lowest natural frequency
   clearance,         ///< clearance of the stop
-  clearance_g_mm,    ///< unbalance in g mm whose eccentricity is the clearance
+  clearance_g_mm,    ///< unbalance in g mm at which the eccentricity equals the clearance
   contact_radius,    ///< radius of the stop
   rotor_stiffness,   ///< stiffness of a Jeffcott rotor
-  rotor_power,       ///< K in N/m^n of a law K p^n as stiff as the rotor at p = clearance / 20
+  rotor_power,       ///< K in N/m^n of a law K p^n that is as stiff as the rotor at p = clearance / 20
   clearance_blow_n,  ///< force of the kick that moves a Jeffcott rotor by the clearance of the stop
-  weight_per_mm      ///< stiffness that yields by 1 mm under the rotor's weight, in N/m
+  weight_per_mm      ///< stiffness in N/m at which the rotor's weight causes a deflection of 1 mm
 };
 
-/// A plausible number lies between `low` and `high` times its scale, both included unless said otherwise.
+/// A plausible number lies between `low` and `high` times its scale, both ends included unless another member
+/// excludes them.
 struct SlipRule {
   Quantity quantity;
   Scale scale;
   double low, high;
   bool high_open;
   double floor;           ///< absolute values up to this number are plausible
-  bool certain;           ///< true: refused; false: only asked about
+  bool certain;           ///< true: the number is refused; false: the user is only asked
   std::string_view what;  ///< format: {0} number, {1} number / scale, {2} exceeded end, {3} `high`
   std::string_view slip;  ///< the unit that was probably meant ...
   double factor;          ///< ... and its value in units of the key; 0: no unit explains the number
@@ -126,12 +127,12 @@ std::optional<double> lowest_frequency_hz(const model::Machine& machine) {
   return std::nullopt;
 }
 
-/// Lower bound of a kit's lowest natural frequency, in Hz, for a check without cost: speeds that are
-/// plausible at this frequency are accepted without computing the structure.
+/// Lower bound of a kit's lowest natural frequency, in Hz. Speeds that are plausible at this frequency are
+/// accepted without the cost of computing the structure.
 constexpr double slow_hz = 10;
 
-/// Force in N whose half sine moves an undamped Jeffcott rotor by the clearance: by its impulse if it is
-/// short, else by a quasi-static push. Empty without a kick or a Jeffcott rotor.
+/// Force in N of the half-sine pulse that moves an undamped Jeffcott rotor by the clearance: a short pulse by
+/// its impulse, a long one quasi-statically. Empty without a kick or a Jeffcott rotor.
 std::optional<double> clearance_blow_n(const model::Machine& machine, const model::Stop* stop) {
   const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor);
   if (rotor == nullptr || stop == nullptr || !machine.kick) return std::nullopt;
@@ -140,7 +141,7 @@ std::optional<double> clearance_blow_n(const model::Machine& machine, const mode
   return stop->clearance_m * rotor->mass_kg * w * w / std::min(short_blow, long_push);
 }
 
-/// Stiffness of a Jeffcott rotor; for a kit the stiffness that yields by 1 mm under the kit's weight.
+/// Stiffness of a Jeffcott rotor; for a kit, the stiffness at which its weight causes a deflection of 1 mm.
 double rotor_stiffness_n_per_m(const model::Machine& machine) {
   if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor))
     return rotor->mass_kg * std::pow(2 * std::numbers::pi * rotor->natural_frequency_hz, 2);
@@ -168,7 +169,7 @@ std::optional<double> scale_of(const SlipRule& rule, double value, const model::
       if (scale) scale = *scale * model::rpm_per_hz;
       break;
     case Scale::period_s:
-      // Kicks up to the floor were accepted before, so that the frequency is always computed here.
+      // Kicks up to the floor were accepted above, so the frequency is computed here in any case.
       scale = frequency_hz(value > rule.floor);
       if (scale) scale = 1 / *scale;
       break;
@@ -217,13 +218,13 @@ std::optional<Slip> radians(double value) {
 
 std::optional<Slip> slip_by(const SlipRule& rule, double value, const model::Machine* machine,
                             std::size_t stop) {
-  // A stiffness of 0 means no support, and for all other quantities 0 is plausible.
+  // A stiffness of 0 means no support; 0 is also plausible for all other quantities.
   if (value == 0 || (rule.floor > 0 && std::abs(value) <= rule.floor)) return std::nullopt;
   const auto scale = scale_of(rule, value, machine, stop);
   if (!scale) return std::nullopt;
   const double ratio = value / *scale;
-  // Compares the value itself with the upper end, as the message shows both. A quotient could differ by
-  // rounding.
+  // Compares the value itself with the upper end, as the message shows both. A quotient could differ from
+  // them by rounding.
   const bool beyond =
       ratio < rule.low || value > rule.high * *scale || (rule.high_open && value >= rule.high * *scale);
   if (!beyond) return std::nullopt;

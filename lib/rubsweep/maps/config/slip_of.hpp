@@ -8,7 +8,7 @@
 
 namespace rubsweep::config {
 
-/// Quantities that a number in a configuration or on a command line may be.
+/// Quantities for which numbers in a configuration or on a command line are checked.
 enum class Quantity {
   speed_hz,
   speed_rpm,
@@ -35,13 +35,14 @@ enum class Quantity {
 
 /// Number that is in range, but implausible in the unit of its key.
 struct Slip {
-  std::string wrong;     ///< rest of a sentence about the number, with a question what was meant
-  std::string allowed;   ///< plausible end that the number exceeds
-  bool certain = false;  ///< true: refused, as no machine has it; false: only asked about
+  std::string wrong;    ///< rest of a sentence about the number, with a question about the intended unit
+  std::string allowed;  ///< plausible end that the number exceeds
+  /// true: refused, because no machine has such a value; false: the user is only asked
+  bool certain = false;
 };
 
-/// Checks a number; empty where it is plausible. `machine` and its stop number `stop` give the scales of
-/// comparison. Numbers without a known scale, such as where `machine` is null, are not judged.
+/// Checks a number; empty where it is plausible. It is compared with scales of `machine` and of the stop with
+/// index `stop`. Numbers without a known scale (for example, with `machine` null) are not judged.
 std::optional<Slip> slip_of(Quantity quantity, double value, const model::Machine* machine,
                             std::size_t stop = 0);
 

@@ -19,7 +19,7 @@ namespace {
 
 using enum Quantity;
 
-/// Path of a number and its quantity. `*` is any index of a list. An axis stands for all its values.
+/// Path of a number and its quantity. `*` is any index of a list. For an axis, all its values are meant.
 struct Standing {
   std::string_view pattern;
   Quantity quantity;
@@ -78,8 +78,8 @@ class Search {
  public:
   Search(const model::Machine* machine, bool certain) : machine_(machine), certain_(certain) {}
 
-  /// Follows the rest of a pattern from `value`; `index` is the latest index of a list on the way, the stop's
-  /// number.
+  /// Follows the rest of a pattern from `value`. `index` is the last index of a list on the path, that is,
+  /// the index of the stop.
   void walk(const yaml::Value& value, std::string_view pattern, Quantity quantity, std::size_t index = 0) {
     if (pattern.empty()) {
       judge_axis(value, quantity, index);

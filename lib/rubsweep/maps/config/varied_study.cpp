@@ -30,8 +30,8 @@ yaml::Node document_of(const sweep::Study& study) {
   sweep::Study plain = study;
   plain.threshold.reset();
   plain.basin.reset();
-  // The smallest and the largest speed suffice for the checks. The largest may be too fast for a varied
-  // rotor, and the smallest has the longest run, which limits the kick.
+  // Two speeds suffice for the checks. The fastest may be too fast for a varied rotor; the slowest has the
+  // longest run, which limits the kick.
   const auto [slowest, fastest] = std::ranges::minmax(study.grid.speed_hz);
   plain.grid = {.speed_hz = slowest < fastest ? std::vector{slowest, fastest} : std::vector{fastest},
                 .measure = study.grid.measure,
@@ -42,7 +42,8 @@ yaml::Node document_of(const sweep::Study& study) {
   return *std::move(document);
 }
 
-/// Study with the numbers of `keys` written over it; problems with them are reported at `place`.
+/// The study after the numbers of `keys` were written over it. Problems with these numbers are reported at
+/// `place`.
 sweep::Study read_varied(yaml::Node document, std::span<const sweep::KeyValue> keys,
                          const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
   const std::size_t problems = diagnostics.count();
@@ -73,9 +74,9 @@ bool is_part_of_the_mass(const std::string& key) {
          key.starts_with("rotor.unbalance.");
 }
 
-/// Checks whether an axis may vary a key; adds a problem and returns false if not. A key that is missing in
-/// the document passes, as the printed study leaves out some keys. `by_mass`: key of the sweep whose
-/// eccentricities follow from the mass of the rotor, once for all cells.
+/// Checks whether an axis may vary a key; if not, adds a problem and returns false. A key that is missing in
+/// the document is accepted, as the printed study leaves out some keys. `by_mass`: key of the sweep that was
+/// converted with the mass of the rotor, once for all cells.
 bool may_be_swept(const yaml::Node& document, const std::string& key, std::string_view by_mass,
                   const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
   constexpr std::array<std::string_view, 6> own_axes{"speed_hz",           study::speed_rpm_key,
@@ -99,9 +100,9 @@ bool may_be_swept(const yaml::Node& document, const std::string& key, std::strin
   return true;
 }
 
-/// Constant, stiffness or damping, that was given for a Jeffcott rotor and would change along an axis over
-/// `key`. The study keeps frequency and damping ratio instead of constants, but the user expects the
-/// constants to stay. Empty where none would change.
+/// Constant (stiffness or damping) that was given for a Jeffcott rotor and would change along an axis over
+/// `key`. The study stores frequency and damping ratio instead, but the user expects the constants to stay
+/// the same. Empty where no constant would change.
 std::string_view key_of_constants(const yaml::Node& root, std::string_view key) {
   const auto is_given = [&](std::string_view name) {
     return yaml::entry(*find_node(root, "rotor"), name) != nullptr;

@@ -19,14 +19,14 @@ extern const char* const map_digest;
 batch::JournalHeader journal_header(const sweep::Study& study, const char* program_digest = map_digest);
 
 /// Throws ConfigError, with every key that differs, where the records of the journal at `path` do not belong
-/// to the computation `here`. Throws DamagedJournal where damage hides that, or IoError. Reports damaged
-/// lines that are not needed on stderr.
+/// to the computation `here`. Throws DamagedJournal where damage makes this unknown, or IoError. Reports
+/// damaged lines that are not needed on stderr.
 void refuse_journal_of_another(const std::filesystem::path& path, const batch::JournalHeader& here);
 
 /// Contents of a map.csv that an earlier run left.
 struct FinishedMap {
   std::string digest;         ///< digest of its study; empty: not a map of this program
-  bool known_columns = true;  ///< false: another version wrote it, with other columns
+  bool known_columns = true;  ///< false: another version with other columns wrote it
   std::size_t cells = 0;
   std::string missing;         ///< first cell without a row, where a map must have all cells
   report::MapSummary summary;  ///< summary of the rows, if the columns are known
@@ -37,19 +37,19 @@ struct FinishedMap {
 void require_whole_table(std::string_view program, const std::filesystem::path& path);
 
 /// Reads the map of `study` row by row; the summary counts cells that move more than `warn_over_clearances`
-/// clearances. For a map of another study only the digest is read. Throws IoError, also where a row is no
-/// cell of the study or occurs twice, and all that require_whole_table throws.
+/// clearances. For a map of another study only the digest is read. Throws IoError (also where a row is no
+/// cell of the study or occurs twice), and what require_whole_table throws.
 FinishedMap read_finished_map(std::string_view program, const std::filesystem::path& map,
                               const sweep::Study& study, double warn_over_clearances);
 
 /// Warns on stderr of facts that make the numbers of a whole map doubtful.
 void warn(std::string_view program, const report::MapSummary& summary);
 
-/// Message of `program` on stderr that the whole map of its study exists already.
+/// Message of `program` for stderr: the whole map of its study exists already.
 std::string map_is_there(std::string_view program);
 
 /// Throws ConfigError where `there`, found at `map`, is not the whole map of the study of `here`. The message
-/// has both digests, and every key that differs if the config.yaml beside the map still fits it.
+/// has both digests, and every key that differs if the config.yaml beside the map still belongs to this map.
 void refuse_map_of_another(const FinishedMap& there, const std::filesystem::path& map,
                            const batch::JournalHeader& here);
 

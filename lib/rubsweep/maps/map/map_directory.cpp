@@ -35,8 +35,8 @@ std::string comments_and_header(const sweep::Study& study) {
   return report::map_comments(study) + report::map_header(study) + report::unit_header(study.grid) + '\n';
 }
 
-/// Raises the limit of open files to the most that the system allows: a map may have more journals, one for
-/// each part, than the usual limit.
+/// Raises the limit of open files to the largest value that the system allows. A map may have one journal for
+/// each part, more than the usual limit.
 void allow_as_many_files_as_there_may_be() {
   rlimit files{};
   if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
@@ -147,12 +147,12 @@ void MapDirectory::lock_share(const std::string& program) {
   }
 }
 
-/// Refuses existing files with our names that are not regular: writing them would fail, and reading a pipe
+/// Refuses existing files with these names that are not regular: writing them would fail, and reading a pipe
 /// would wait forever.
 void MapDirectory::refuse_what_is_no_file() const {
   std::vector<fs::path> ours = journals();
   ours.push_back(partial());
-  // These names are used by this program alone, so that a link there leads to a foreign file.
+  // Only this program uses these names. A link with such a name would lead to a file of somebody else.
   for (const fs::path& file : ours) batch::refuse_link("write", file);
   ours.insert(ours.end(), {directory_ / "config.yaml", map()});
   for (const fs::path& file : ours) {
@@ -169,7 +169,7 @@ void MapDirectory::remove_leftovers() const {
   });
 }
 
-/// Removes earlier results, the map last: if this is interrupted, everything left still belongs to the map.
+/// Removes earlier results, the map last: after an interruption, all remaining files still belong to the map.
 /// Each step is on the disk before the next one begins.
 void MapDirectory::forget() const {
   if (const auto holder = batch::lock_holder(directory_ / family_lock_file)) {
@@ -186,8 +186,8 @@ void MapDirectory::forget() const {
   batch::sync_directory(directory_);
 }
 
-/// Whether the journal of another part belongs to this study, so that it must stay. Throws LockedError where
-/// it belongs to another study and its process is at work.
+/// Whether the journal of another part belongs to this study and must therefore stay. Throws LockedError
+/// where it belongs to another study whose process is at work.
 bool MapDirectory::belongs_to_other_part(const fs::path& journal) const {
   if (journal == path(".journal")) return false;
   try {

@@ -27,9 +27,9 @@ namespace rubsweep::map {
 class MapDirectory {
  public:
   /// Begins work on a share of the map, or continues it. `fresh`: first removes finished cells and a finished
-  /// map, even those of other configurations. `program` is the name in the lock. Throws LockedError where
-  /// another process is at work there, ConfigError where the finished cells belong to another configuration
-  /// or program, and IoError. After an exception the directory is unchanged.
+  /// map, even those of other configurations. `program`: name of the program, for the lock. Throws
+  /// LockedError where another process is at work there, ConfigError where the finished cells belong to
+  /// another configuration or program, and IoError. After an exception the directory is unchanged.
   MapDirectory(std::filesystem::path directory, const config::RunConfig& config, std::optional<Share> part,
                bool fresh, const std::string& program);
 
@@ -49,20 +49,21 @@ class MapDirectory {
   /// Whether another process is at work on a share with one of these cells. Throws IoError.
   bool is_at_work_on(const std::vector<std::size_t>& cells) const;
 
-  /// Whole map of this study, if an earlier run left it: then no cell is missing and nothing is left to do.
+  /// Whole map of this study, if an earlier run finished it; no work then remains.
   const std::optional<FinishedMap>& finished_map() const { return finished_map_; }
 
   /// Opens the journal of this process, to which finished cells are added. Throws IoError.
   batch::Journal journal() const { return {path(".journal"), header_}; }
 
-  /// File for people to watch finished cells. It begins with those that were finished when the work began.
+  /// File in which people can watch finished cells. It begins with those that were finished when the work
+  /// began.
   std::filesystem::path partial() const { return path(".partial.csv"); }
 
   /// Calls `visit` with every finished cell and its line, ascending. Throws IoError.
   void for_each_finished(const std::function<void(std::size_t cell, const std::string& line)>& visit) const;
 
-  /// Writes map.csv from all journals, then removes them. Call it only when no cell is missing, or when a
-  /// refined map needs no more. Throws IoError.
+  /// Writes map.csv from all journals, then removes the journals. Call it only when no cell is missing, or
+  /// when a refined map needs no more cells. Throws IoError.
   report::MapSummary write_map() const;
 
   std::filesystem::path map() const { return directory_ / "map.csv"; }

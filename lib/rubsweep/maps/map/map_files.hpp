@@ -9,8 +9,8 @@
 
 namespace rubsweep::map {
 
-/// A part of a map: the cells that are `index` modulo `count`, so that all parts take about the same time.
-/// For a refined map, whose cells lie on a lattice, the cell number is first mixed by a hash.
+/// A part of a map: the cells whose number is `index` modulo `count`, so that all parts take about the same
+/// time. In a refined map, whose cells lie on a lattice, a hash first mixes the cell numbers.
 struct Share {
   std::size_t index = 0;
   std::size_t count = 1;
@@ -41,7 +41,7 @@ inline constexpr std::string_view report_page_file = "report.html";
 /// Table of all cells of a refined map, with the motion that each shows.
 inline constexpr std::string_view painted_map_file = "painted.csv";
 
-/// All results that are computed from a map and lie beside it. Without the map they mean nothing.
+/// All results that are computed from a map and stored beside it. Without the map they are useless.
 inline std::vector<std::string_view> derived_files() {
   std::vector<std::string_view> names{report_page_file, painted_map_file};
   names.insert(names.end(), family_files.begin(), family_files.end());

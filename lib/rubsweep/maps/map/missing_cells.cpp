@@ -21,8 +21,8 @@ namespace {
 /// Time between two readings of the journals of other shards.
 constexpr std::chrono::milliseconds shard_patience{500};
 
-/// Least time that a shard without work waits for others: shards started by one command do not begin at the
-/// same instant.
+/// Shortest time for which a shard without work waits for other shards, because shards started by one command
+/// do not begin at the same instant.
 constexpr std::chrono::seconds beginners_patience{5};
 
 }  // namespace
@@ -75,8 +75,8 @@ MissingCells::MissingCells(const ComputeOptions& options, const sweep::Study& st
   log_.progress().expect({speeds, sweep::cell_count(study.grid) / speeds, directory.missing()});
 }
 
-/// Computes the cells of a refined map in rounds: each needs the labels of the one before. Shards at work at
-/// the same time wait for each other's cells.
+/// Computes the cells of a refined map in rounds: each round needs the labels of the round before. Shards
+/// that run at the same time wait for each other's cells.
 bool MissingCells::run_refined() {
   RefinedCells known(study_.grid);
   bool alone = false;
@@ -93,7 +93,7 @@ bool MissingCells::run_refined() {
       alone = false;
       std::this_thread::sleep_for(shard_patience);
     } else if (!wanted.empty() && !alone) {
-      alone = true;  // reads once more, as others may have written before they ended
+      alone = true;  // reads once more, because other shards may have written before they ended
     } else {
       left_to_others_ = wanted.size();
       break;
@@ -137,7 +137,7 @@ bool MissingCells::run() {
   const int threads = batch::thread_count(threads_);
   std::vector<std::size_t> cells = directory_.missing();
   const std::size_t pilots_wanted = batch::pilot_count(cells.size(), static_cast<std::size_t>(threads));
-  // Only where somebody is there to read it.
+  // Only where a person reads the output.
   if (say_progress(report::describe_footprint(study_, prepared(), {threads})) && pilots_wanted > 0)
     run_pilots(cells, pilots_wanted, report::describe_many_modes(prepared()));
   run_cells(cells);

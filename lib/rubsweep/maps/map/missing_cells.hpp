@@ -76,14 +76,14 @@ class MissingCells {
   /// Opens journal and partial map. All arguments must outlive this object. Throws IoError.
   MissingCells(const ComputeOptions& options, const sweep::Study& study, MapDirectory& directory);
 
-  /// Returns false where it was stopped before all cells were finished. Throws IoError.
+  /// Returns false where `stop` ended the run before all cells were finished. Throws IoError.
   bool run();
 
   /// Redraws the progress line and syncs the journal to the disk, each only when due.
   void refresh();
 
-  /// Gives up cells that still run: nothing of them is written to the journal any more, and the directory is
-  /// unlocked. Returns false, and does nothing, where no cell is left.
+  /// Gives up cells that still run: they are no longer written to the journal, and the directory is unlocked.
+  /// Where no cell remains, returns false and does nothing.
   bool give_up();
 
   /// Ends the progress line after a run that was stopped or given up. Returns a message with the number of

@@ -12,8 +12,8 @@
 
 namespace rubsweep::map {
 
-/// Labels of the finished cells of a refined map, whichever process finished them. Not for several threads
-/// at once.
+/// Labels of the finished cells of a refined map, whichever process finished them. Only one thread at a time
+/// may use it.
 class RefinedCells {
  public:
   /// Begins without any labels. The grid must outlive this object.

@@ -13,7 +13,7 @@ namespace rubsweep::map {
 /// First bytes of a file, enough for the head of a table; empty where it is no regular file.
 std::string begin_of(const std::filesystem::path& file);
 
-/// Whether a program of ours wrote a table, as any line of its head shows.
+/// Whether this program or a sister program wrote a table, according to the comment lines at its begin.
 struct Origin {
   bool ours = false;
   std::string why_not;  ///< reason if not, such as "it is not a regular file", "is empty"
@@ -24,14 +24,14 @@ Origin origin_of(const std::filesystem::path& table);
 bool was_written_by(std::string_view program, const std::filesystem::path& directory);
 
 /// Compares the SHA-256 of a file with `sums`, with line ends LF or CR LF. Returns what is wrong, or an empty
-/// text if one of them agrees. An empty sum is an unknown one: then the file must only exist and not be
+/// text if one of the sums agrees. An empty sum means "unknown": the file must then only exist and not be
 /// empty.
 std::string problem_of(const std::filesystem::path& file, const std::set<std::string>& sums);
 
 /// Verdict on an HTML page. A page without a checksum is checked only if it is the report of a map.
 struct CheckedPage {
   std::string text;
-  bool summed = false;  ///< true: the file has a checksum, so it is one of ours
+  bool summed = false;  ///< true: the file has a checksum, so one of these programs wrote it
   std::string problem;
 };
 CheckedPage check_page_file(const std::filesystem::path& page, bool of_map);

@@ -28,7 +28,7 @@ Type type_of(std::int32_t mopt) {
   return {mopt / 1000, mopt / 100 % 10, mopt / 10 % 10, mopt % 10};
 }
 
-/// Reads a sparse matrix: lines of row, column and value, the last of which gives the size of the matrix.
+/// Reads a sparse matrix: lines of row, column and value. The last line gives the size of the matrix.
 void read_sparse(Variable& variable, std::size_t rows, const std::vector<double>& table,
                  const Wanted& wanted) {
   const auto at = [&](std::size_t row, std::size_t column) { return table[column * rows + row]; };

@@ -7,11 +7,11 @@
 
 namespace rubsweep::matlab {
 
-/// Variables of the bytes of a MATLAB file, version 4, 5 (also compressed, what MATLAB calls version 7) or
-/// 7.3. Compressed ones are read to their end, and the checksum of zlib must be right, whether they are
-/// wanted or not. Structures and cells are read with those in them, to most_depth. Throws FileError for what
-/// is no such file or a damaged one, for more than most_numbers, and for one of version 7.3 whose variables
-/// are in other files.
+/// Variables in the bytes of a MATLAB file, version 4, 5 (also compressed, which MATLAB calls version 7) or
+/// 7.3. Compressed variables are read to their end, whether they are wanted or not, and zlib's checksum is
+/// verified. Structures and cells are read with their contents, down to most_depth levels. Throws FileError
+/// for any other or a damaged file, for more than most_numbers, and for a file of version 7.3 with variables
+/// in other files.
 std::vector<Variable> read_variables(std::string_view bytes, const Wanted& wanted);
 
 /// Whether bytes begin like a file of version 4, which has no text at its begin.

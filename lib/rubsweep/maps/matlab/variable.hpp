@@ -18,15 +18,17 @@ struct Variable {
   Kind kind = Kind::other;
   bool complex = false;
   std::vector<std::size_t> dims{};  ///< dimensions: at least two; empty for an object
-  /// Real numbers, column by column; for a sparse matrix with its zeros. Empty where they were not wanted.
+  /// Real numbers, column by column; for a sparse matrix including its zeros. Empty where `wanted` excluded
+  /// them.
   std::vector<double> values{};
-  /// Fields of a structure, by field_name, or cells, by cell_name; none of one that lies too deep.
+  /// Fields of a structure, named by field_name, or cells, named by cell_name. Empty for a structure below
+  /// most_depth.
   std::vector<Variable> fields{};
 
   bool is_real_matrix() const { return kind == Kind::numbers && !complex && dims.size() == 2; }
 };
 
-/// Structures and cells in others that are read.
+/// Largest depth of structures and cells inside others that are read.
 inline constexpr int most_depth = 8;
 
 /// Name of a field in element `one` (from 1) of an array of structures: "FIELD" in the first element,
@@ -37,7 +39,8 @@ inline std::string field_name(const std::string& field, std::size_t one) {
 
 inline std::string cell_name(std::size_t one) { return '{' + std::to_string(one) + '}'; }
 
-/// Whether the numbers of a variable, of which all else is known, are to be read.
+/// Whether the numbers of a variable are to be read; everything else about the variable is known at this
+/// point.
 using Wanted = std::function<bool(const Variable&)>;
 
 /// Problem of a file, and what would be allowed.

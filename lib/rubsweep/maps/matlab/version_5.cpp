@@ -129,7 +129,7 @@ void read_cells(Bytes& in, Variable& variable, const Wanted& wanted, int depth) 
   }
 }
 
-/// An array from its flags on.
+/// Reads an array; `in` begins with its flags.
 Variable read_array(Bytes in, const Wanted& wanted, int depth) {
   const std::vector<double> flags = all_numbers(take_element(in));
   if (flags.empty()) throw FileError{"is damaged: an array without flags"};

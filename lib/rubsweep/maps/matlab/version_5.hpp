@@ -11,7 +11,7 @@
 
 namespace rubsweep::matlab {
 
-/// Reads the variables of a file of version 5, beginning behind its head. Throws FileError.
+/// Reads the variables of a file of version 5; `bytes` begins after the file's header. Throws FileError.
 std::vector<Variable> read_version_5(Bytes bytes, const Wanted& wanted);
 
 /// Vector that is written under a name.

@@ -192,7 +192,7 @@ class Reader {
     require(h5_.H5Tget_size(type) == sizeof rows && h5_.H5Aread(attribute, type, &rows) >= 0, variable.name);
     const auto part = [&](const char* name) {
       if (h5_.H5Lexists(group, name, H5P_DEFAULT) <= 0)
-        return std::vector<double>();  // a matrix of zeros has no such data set
+        return std::vector<double>();  // for a matrix of zeros this data set is missing
       const Handle dataset = open(group, name);
       require(h5_.H5Iget_type(dataset) == H5I_DATASET, variable.name);
       const Handle kind{h5_, h5_.H5Dget_type(dataset)};
@@ -218,7 +218,8 @@ class Reader {
 void* Hdf5Library::symbol(const char* name) {
   void* const library = open_library();
   void* found = library == nullptr ? nullptr : dlsym(library, name);
-  // In a program that is linked with the same library, the variables are the program's own copies.
+  // In a program that is linked with the same library, the variables exist twice; the program's own copies
+  // are used.
   if (found != nullptr && dlsym(RTLD_DEFAULT, "H5open") == dlsym(library, "H5open"))
     found = dlsym(RTLD_DEFAULT, name);
   if (found == nullptr)

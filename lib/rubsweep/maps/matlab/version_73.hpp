@@ -9,8 +9,9 @@
 
 namespace rubsweep::matlab {
 
-/// Functions and variables of the HDF5 library, which is loaded only when needed and not linked: it brings a
-/// dozen other libraries, and few users read such files. A function name may be a macro for a versioned name.
+/// Functions and variables of the HDF5 library. The library is loaded only when needed, not linked, because
+/// it brings a dozen other libraries and few users read such files. A function name may be a macro for a
+/// versioned name.
 #define RUBSWEEP_TEXT_OF(name) #name
 #define RUBSWEEP_HDF5(name) \
   decltype(&::name) name = reinterpret_cast<decltype(&::name)>(symbol(RUBSWEEP_TEXT_OF(name)))

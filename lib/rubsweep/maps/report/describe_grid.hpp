@@ -11,10 +11,10 @@
 namespace rubsweep::report {
 
 /// Throws ConfigError where an axis is over a key and more than two axes of the map have several values,
-/// since `in`, "a report" or "a picture", can show only two.
+/// since the kind of output `in` ("a report" or "a picture") can show only two.
 void require_plane(const sweep::Grid& grid, std::string_view in);
 
-/// Phrase that says how small an island a refined map surely finds (sweep::island_bound).
+/// Phrase for the size of the smallest island that a refined map surely finds (sweep::island_bound).
 std::string describe_island_bound(const sweep::Grid& grid);
 
 /// Lines for a terminal on a complete refined map: its cost and the size of islands that it may miss.

@@ -36,7 +36,7 @@ std::string explain_casing(const model::Stop& stop, double rotor_mass_kg) {
       stop.casing->mass_kg, hz, stop.casing->damping_ratio, half_period_ms);
 }
 
-/// Line that says that the largest forces depend on rotor.modes; docs/method/rotors.md says by how much.
+/// Line on the dependence of the largest forces on rotor.modes; docs/method/rotors.md has its size.
 std::string explain_fast_contact(const model::Stop& stop, double rotor_mass_kg, const model::RotorKit& kit) {
   const double contact_hz = 1 / (2 * contact_half_period_s(stop, rotor_mass_kg));
   if (contact_hz <= kit.modes_up_to_hz) return "";

@@ -13,8 +13,8 @@ namespace rubsweep::report {
 /// friction are stated at the speed of `cell`.
 std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Cell& cell, std::size_t stop);
 
-/// Explanation of `machine` for a terminal: the model, and what it leaves out and why. Slip and saturation of
-/// friction are stated at `speed_hz`, the lowest speed of a sweep.
+/// Explanation of `machine` for a terminal: the model, its omissions and their reasons. Slip and saturation
+/// of friction are stated at `speed_hz`, the lowest speed of a sweep.
 std::string explain_machine(const model::Machine& machine, double speed_hz);
 
 }  // namespace rubsweep::report

@@ -102,8 +102,8 @@ std::string explain_faults(const model::RotorKit& kit) {
   return text;
 }
 
-/// Line about damping that turns with the shaft. The speed from which on the whirl is unstable is left out
-/// where supports follow tables, since the supports are then different at every speed.
+/// Line about damping that turns with the shaft. The speed above which the whirl is unstable is omitted where
+/// supports follow tables, since the supports are then different at every speed.
 std::string explain_rotating_damping(const scene::PreparedMachine& prepared, const model::RotorKit& kit,
                                      bool by_tables) {
   if (!model::has_rotating_damping(kit)) return "";

@@ -9,7 +9,7 @@
 
 namespace rubsweep::report {
 
-/// Lines for `--explain` on the rotor of a machine: its coordinates, how it is reduced and what is left out.
+/// Lines for `--explain` on the rotor of a machine: its coordinates, its reduction and its omissions.
 /// `by_tables`: supports depend on the speed by tables, and `prepared` is the machine at one of its speeds.
 std::string explain_rotor(const scene::PreparedMachine& prepared, bool by_tables);
 

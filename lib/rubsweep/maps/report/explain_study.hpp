@@ -6,8 +6,8 @@
 
 namespace rubsweep::report {
 
-/// Explanation of a sweep for a terminal: the model, what it leaves out and why, the solver, and how a cell
-/// ends.
+/// Explanation of a sweep for a terminal: the model, its omissions and their reasons, the solver, and how a
+/// cell ends.
 std::string explain_study(const sweep::Study& study);
 
 }  // namespace rubsweep::report

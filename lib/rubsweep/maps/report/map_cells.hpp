@@ -25,9 +25,9 @@ struct CellPlace {
 /// Text after `mark` in the comments of a map; empty where there is none.
 std::string comment_after(const batch::CsvReader& map, std::string_view mark);
 
-/// Column of the second axis, whirl_ratio or eccentricity_m, of two maps. It is the one with few values that
-/// recur all over both maps; the other column follows from it and may be empty. Throws IoError where a column
-/// is missing or a file cannot be read.
+/// Column of the second axis of two maps: whirl_ratio or eccentricity_m. It is the column with few values
+/// that recur all over both maps; the other column is computed from it and may be empty. Throws IoError where
+/// a column is missing or a file cannot be read.
 std::string second_axis(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Columns of the axes over keys. Their names hold no comma.
@@ -74,8 +74,9 @@ class CellsOfRows {
   struct Axis {
     std::vector<double> values;  ///< values of the axis in the grid
     std::vector<std::size_t> columns;
-    std::vector<double> factors;          ///< factor of each column: it holds the value times this
-    std::size_t leading = 0;              ///< index of a column that varies along the axis
+    /// factor of each column: the column holds the value of the axis times this factor
+    std::vector<double> factors;
+    std::size_t leading = 0;              ///< index of the first column that varies along the axis
     std::vector<double> leading_numbers;  ///< values of the axis in that column, ascending
     std::vector<std::size_t> places;      ///< index in `values` of each of these numbers
   };

@@ -50,8 +50,8 @@ std::string map_header(const sweep::Study& study = {});
 /// does not apply is empty.
 std::string map_line(const sweep::Row& row, const sweep::Study& study = {});
 
-/// Comment lines of a map, between the head that every table has and the column names. One is on the units.
-/// For axes over keys another one names the columns of their keys. Each has its line end.
+/// Comment lines of a map, between the comment lines of every table and the column names: a line on the units
+/// and, for axes over keys, a line with the columns of their keys. Each has its line end.
 std::string map_comments(const sweep::Study& study = {});
 
 }  // namespace rubsweep::report

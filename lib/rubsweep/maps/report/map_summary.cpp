@@ -29,7 +29,7 @@ double number_in(std::string_view cell) {
   return value;
 }
 
-/// Name of a motion from `name`, its class and order, with the kind added where it needs one.
+/// Name of a motion from `name`, class and order; the kind is added where the class has several kinds.
 std::string name_of(std::string name, std::string_view motion_class, bool circle, bool comb,
                     std::string_view whirl) {
   if (motion_class == to_string(MotionClass::synchronous) && circle)

@@ -10,9 +10,9 @@
 
 namespace rubsweep::report {
 
-/// Name of the motion of a row on a terminal: class and order, and a distinction within one class. A whip
-/// that its own friction force drives backward is distinguished from an oval that the unbalance drives, and a
-/// forward circle from a backward one.
+/// Name of the motion of a row on a terminal: class, order, and kind where a class has several. A whip,
+/// driven backward by its own friction, is distinguished from an oval, driven by the unbalance, and a forward
+/// circle from a backward one.
 std::string motion_name(const sweep::Row& row);
 /// Name of the motion in a line of map.csv, as motion_name gives it for a row.
 std::string motion_name(std::string_view map_line);
@@ -23,8 +23,8 @@ const response::motion::MotionKind& kind_in(std::string_view map_line);
 /// Class and order of a line of map.csv. A refined map treats cells as equal if these are equal.
 std::string label_of(std::string_view map_line);
 
-/// Counts the rows of a map without keeping them. Takes lines of map.csv rather than rows, because a row that
-/// another process or an earlier run computed exists only as text, in a journal or a map.
+/// Counts the rows of a map without storing them. Takes lines of map.csv instead of rows, because a row that
+/// another process or an earlier run computed exists only as text in a journal or a map.
 class MapSummary {
  public:
   /// `warn_over_clearances`: cells with a larger deflection, in clearances of the first stop, are counted.

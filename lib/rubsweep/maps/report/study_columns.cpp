@@ -21,7 +21,7 @@ using sweep::Row;
 std::string text_of(double value) { return batch::csv_number(value); }
 std::string text_of(std::integral auto value) { return fmt::format("{}", value); }
 
-/// Text of the optional member `part` of a row, or of a member of that.
+/// Text of the optional member `part` of a row, or of a member of this part.
 template <auto part>
 std::string given(const Row& row) {
   return row.*part ? text_of(*(row.*part)) : "";

@@ -9,12 +9,12 @@
 
 namespace rubsweep::sweep {
 
-/// Outcome of one start, as far as it distinguishes attractors.
+/// Outcome of one start: the facts that distinguish attractors.
 struct SampledMotion {
   std::string name;  ///< class and order
   bool failed = false;
   bool rubs = false;
-  bool repeats = false;         ///< false: the numbers vary with time, and only the name counts
+  bool repeats = false;         ///< false: the numbers vary with time, so that only the name is compared
   std::vector<double> orbit_m;  ///< lengths that describe the orbit, the largest first
 };
 
@@ -26,7 +26,7 @@ struct Attractor {
   double standard_error = 0;  ///< sqrt(share (1 - share) / starts)
 };
 
-/// Attractors of all starts, the most frequent first; of equally frequent ones the one found first.
+/// Attractors of all starts, the most frequent first; equally frequent ones in the order of discovery.
 struct Basins {
   std::vector<Attractor> attractors;
   std::vector<int> numbers;  ///< attractor that each start led to, from 1; 0: its run failed
@@ -46,15 +46,16 @@ class AttractorCount {
   Basins met_;  ///< basins in the order of discovery, without shares
 };
 
-/// Key of the configuration that is drawn with even density between two numbers, or between their logarithms.
+/// Key of the configuration whose values are drawn with uniform density between two numbers, or between their
+/// logarithms.
 struct DrawnKey {
   std::string key;
   double from = 0, to = 0;
   bool logarithmic = false;
 };
 
-/// Starts that a study of basins tries in every cell: points of low discrepancy in the box that the keys
-/// span. They are the same in every cell.
+/// Starts that a study of basins tries in every cell, the same in all cells: points of low discrepancy in the
+/// box that the keys span.
 struct BasinSampling {
   std::size_t samples = 0;
   std::vector<DrawnKey> over;  ///< keys that are drawn, at least one

@@ -23,7 +23,7 @@ namespace rubsweep::sweep {
 namespace {
 
 /// Whether a force exceeds the range of some stop whose stiffness is the secant of a Hertz line contact. All
-/// stops are tested, whichever one the force acts on: the status only marks a doubt.
+/// stops are tested, although the force acts on only one, since the status only marks a doubt.
 bool beyond_hertz(const model::Machine& machine, double force_n) {
   return std::ranges::any_of(machine.stops, [force_n](const model::Stop& stop) {
     return stop.by_hertz_secant() && force_n > contact::hertz_force_limit_n(*stop.hertz);
@@ -55,7 +55,7 @@ void refuse_what_is_not_finite(Row& row) {
   }
 }
 
-/// Flags a run that ended before its kick: it shows the kick, not the motion after it.
+/// Flags a run that ended before its kick did: it shows the kick, not the motion after it.
 void doubt_unfinished_kick(Row& row, const scene::Scene& scene) {
   const double run_s = static_cast<double>(row.revolutions) * scene.period_s();
   const bool over = std::ranges::all_of(scene.pulses, [&](const scene::Pulse& pulse) {
@@ -156,8 +156,8 @@ bool of_kick_alone(const KeyValue& key) {
   return std::ranges::find(keys, key.key) != keys.end();
 }
 
-/// Study with new numbers under `keys`, and its machine. `others` are those keys in which it differs from
-/// `prepared`. Empty where the numbers are not allowed together, although each alone is.
+/// Study with new numbers under `keys`, and its machine. `others`: those of the keys by which the study
+/// differs from `prepared`. Empty where the numbers are not allowed together, although each of them is.
 std::optional<Varied> vary(const Study& study, std::span<const KeyValue> keys,
                            const scene::PreparedMachine& prepared, std::span<const KeyValue> others) {
   try {

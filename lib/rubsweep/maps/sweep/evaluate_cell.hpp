@@ -16,7 +16,7 @@ Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machi
            const response::SettledRun* run);
 
 /// Runs one cell from kick to classification. The result depends on the arguments alone, so that any thread
-/// may run any cell. A cell that fails numerically gives a row of class `failed` whose status names the
+/// may run any cell. A cell with a numerical failure gives a row of class `failed`, whose status names the
 /// cause. `prepared` is the prepared study.machine.
 Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                   response::motion::Workspace& workspace);

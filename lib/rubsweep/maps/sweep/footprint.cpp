@@ -43,7 +43,7 @@ std::size_t flow_bytes(const Study& study, const structure::Assembly& assembly) 
   for (const KeyAxis& axis : study.grid.axes) {
     if (!changes_no_flow(axis)) machines *= axis.values.size();
   }
-  // Each cell may need secants of its own.
+  // Each cell may need other secants, and therefore other flows.
   if (study.hertz_iterations > 0)
     machines = cell_count(study.grid) * (1 + static_cast<std::size_t>(study.hertz_iterations));
   constexpr std::size_t most = integrate::exact::modes::most_bytes_of_a_mode_cache;

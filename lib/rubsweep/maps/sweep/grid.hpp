@@ -32,19 +32,20 @@ struct KeyAxis {
 /// Numbers of all keys of an axis at one value of the axis.
 std::vector<KeyValue> keys_at(const KeyAxis& axis, double value);
 
-/// Form in which a person wrote speeds or unbalances, for output. No number of a map depends on it.
+/// Key and unit in which a person wrote speeds or unbalances, for output. No number of a map depends on them.
 struct WrittenAxis {
-  std::string key{};                        ///< such as speed_rpm; empty: in SI units
-  std::string unit{};                       ///< such as "rpm" or "g mm"
-  double units_per_si = 1;                  ///< 1 SI unit in that unit, such as 60 for rpm
-  std::optional<batch::Spacing> spacing{};  ///< spacing in that unit; empty where values were listed
-  double rated_speed_hz = 0;                ///< rated speed of a balance grade
+  std::string key{};        ///< such as speed_rpm; empty: in SI units
+  std::string unit{};       ///< such as "rpm" or "g mm"
+  double units_per_si = 1;  ///< 1 SI unit in that unit, such as 60 for rpm
+  /// spacing of the values in the written unit; empty where values were listed
+  std::optional<batch::Spacing> spacing{};
+  double rated_speed_hz = 0;  ///< rated speed of a balance grade
 
   bool is_si() const { return key.empty(); }
 };
 
-/// Number given in SI units, as text in the unit of the axis. It has 15 digits, which hides the rounding of
-/// conversions: 3100 rpm do not come back as 3100.0000000000005.
+/// A number given in SI units, as text in the unit of the axis. It has 15 digits, so that rounding by the
+/// conversion does not show: 3100 rpm do not come back as 3100.0000000000005.
 std::string in_units(const WrittenAxis& axis, double si);
 
 /// Text of in_units if it reads back as the same number in SI units, else empty.
@@ -85,7 +86,7 @@ std::vector<std::string> key_names(const Grid& grid);
 /// Numbers of these keys in a cell < cell_count(grid), in the same order.
 std::vector<KeyValue> key_values(const Grid& grid, std::size_t cell);
 
-/// The columns that say where a cell < cell_count(grid) lies, with its numbers: speed_hz, the measure of the
+/// Columns for the position of a cell < cell_count(grid), with their numbers: speed_hz, the measure of the
 /// unbalance, then all keys.
 std::vector<KeyValue> columns_of_place(const Grid& grid, std::size_t cell);
 
@@ -98,8 +99,8 @@ struct SweptAxis {
 /// All axes with more than one value, the fastest first.
 std::vector<SweptAxis> swept_axes(const Grid& grid);
 
-/// First axis whose values neither rise nor fall throughout, so that cells side by side in the grid are no
-/// neighbours on the axis. Empty where there is none.
+/// First axis whose values neither rise nor fall throughout, so that neighbours in the grid are no neighbours
+/// on the axis. Empty where there is no such axis.
 std::optional<std::string> disordered_axis(const Grid& grid);
 
 /// Grid with the single cell at `place`.

@@ -21,8 +21,9 @@ bool fits(const model::Machine& used, const model::Machine& asked) {
   return true;
 }
 
-/// Reports the secant by the stop with the smallest design force. The secants of all other stops can be
-/// computed again from its force, because forces below the design force of a stop do not change its secant.
+/// Describes the secants by the force at the stop with the smallest design force. From this force the secants
+/// of all other stops can be computed, because forces below the design force of a stop do not change its
+/// secant.
 HertzSecant secant_of(const model::Machine& original, const model::Machine& used, int iterations) {
   std::optional<std::size_t> lowest;
   for (std::size_t i = 0; i < original.stops.size(); ++i) {

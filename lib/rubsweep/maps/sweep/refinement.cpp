@@ -10,7 +10,7 @@
 namespace rubsweep::sweep {
 namespace {
 
-/// One axis of a plane: its number of cells, and the distance of neighbours in the numbers of cells.
+/// One axis of a plane: its number of cells, and the difference of cell numbers between neighbours.
 struct PlaneAxis {
   std::size_t count = 1, stride = 0;
 };
@@ -42,7 +42,7 @@ Planes planes_of(const Grid& grid) {
   return planes;
 }
 
-/// Interval of indices on an axis, both ends included. The ends are equal where the axis has one value.
+/// Interval of indices on an axis, both ends included. If the axis has one value, the ends are equal.
 struct Interval {
   std::size_t first = 0, last = 0;
 
@@ -96,7 +96,7 @@ std::vector<std::size_t> corners(const Planes& planes, const Block& block) {
   return cells;
 }
 
-/// Probe cells of a block, spread by the additive recurrence on the plastic number, which leaves only small
+/// Probe cells of a block, spread by the additive recurrence with the plastic number, which leaves only small
 /// gaps for any number of probes.
 std::vector<std::size_t> probes(const Planes& planes, const Block& block, int count) {
   constexpr std::array steps{0.7548776662466927, 0.5698402909980532};
@@ -156,8 +156,8 @@ void ask(const Planes& planes, const Block& block, std::span<const int> labels,
   visit_children(block, [&](const Block& child) { ask(planes, child, labels, wanted); });
 }
 
-/// Calls `leaf` with every block that is not split further, and `split` with every block that is, and its
-/// level.
+/// Calls `leaf` with every block that is not split further, and `split` with every block that is split and
+/// its level.
 template <class Leaf, class Split>
 void visit_blocks(const Planes& planes, const Block& block, std::span<const int> labels, int level,
                   const Leaf& leaf, const Split& split) {
@@ -167,7 +167,7 @@ void visit_blocks(const Planes& planes, const Block& block, std::span<const int>
                  [&](const Block& child) { visit_blocks(planes, child, labels, level + 1, leaf, split); });
 }
 
-/// Interval of the lattice that holds an index; where two intervals meet, the first.
+/// Interval of the lattice that holds an index; at the boundary of two intervals, the first one.
 Interval interval_of(std::size_t index, std::size_t count, int levels) {
   const std::vector<Interval> intervals = lattice(count, levels);
   return *std::ranges::find_if(intervals, [&](const Interval& interval) { return index <= interval.last; });
@@ -186,7 +186,7 @@ bool is_probe(const Planes& planes, const Refinement& refinement, std::size_t ce
   return std::ranges::count(probes(planes, block, refinement.probes), cell) > 0;
 }
 
-/// Number of halvings after which the interval of an index on the lattice has the index as an end.
+/// Number of halvings of the lattice after which the index is an end of an interval.
 int level_on_axis(std::size_t index, std::size_t count, int levels) {
   int level = 0;
   for (Interval at = interval_of(index, count, levels); index != at.first && index != at.last; ++level)
@@ -262,8 +262,8 @@ std::size_t island_bound(const Grid& grid) {
     for (const std::size_t cell : corners(planes, block)) met[cell] = true;
     for (const std::size_t cell : probes(planes, block, grid.refinement->probes)) met[cell] = true;
   });
-  // Side of the largest empty square whose last corner is the cell, computed from the row before. Empty means
-  // without computed cells. For a single axis, the number of such cells in sequence.
+  // Side of the largest empty square (without computed cells) whose last corner is the cell, computed from
+  // the row before. For a single axis: number of consecutive cells that were not computed.
   std::size_t largest = 0;
   std::vector<std::size_t> before(across.count, 0), sides(across.count, 0);
   for (std::size_t j = 0; j < up.count; ++j) {

@@ -14,9 +14,9 @@ namespace rubsweep::sweep {
 inline constexpr double robustness_change = 1e-6;
 
 /// Whether a cell of `machine`, computed as `row`, keeps its class and order when the kick is slightly weaker
-/// or stronger. It does not on the boundary between basins of two motions, nor where a chaotic transient
-/// makes the last bit decide. Empty where no kick was simulated or the run failed. `evaluate` runs the same
-/// cell with another machine, at most twice.
+/// or stronger. A cell changes on the boundary between the basins of two motions, or where a chaotic
+/// transient makes the last bit decide. Empty where no kick was simulated or the run failed. `evaluate` runs
+/// the same cell with another machine, at most twice.
 std::optional<bool> is_robust(const Row& row, const model::Machine& machine,
                               const std::function<Row(const model::Machine&)>& evaluate);
 

@@ -28,8 +28,8 @@ constexpr std::string_view to_string(RunStart start) { return enumerator_word(st
 /// Secant of Hertz' line contacts with which a cell was finally computed.
 struct HertzSecant {
   int iterations = 0;  ///< number of times that the secant was adapted
-  /// Force at which the secant is taken, at the stop with hertz that has the smallest design force. The
-  /// secants of the other stops follow from it.
+  /// Force for the secant at the stop with the smallest design force, of those with hertz. The secants of the
+  /// other stops can be computed from it.
   double force_n = 0;
   double stiffness_n_per_m = 0;  ///< stiffness of that stop
 };
@@ -44,7 +44,7 @@ struct Row {
   /// Measures of the settled window; empty where nothing settled can be measured.
   std::optional<response::motion::Measures> measures;
   std::optional<response::motion::Proof> proof;
-  std::optional<bool> robust;                     ///< see is_robust; empty unless asked for
+  std::optional<bool> robust;                     ///< see is_robust; empty unless requested
   std::optional<double> floquet_modulus;          ///< largest multiplier of a proven orbit over its period
   std::optional<double> lyapunov_per_revolution;  ///< largest Lyapunov exponent, where no period was found
   std::optional<long> last_contact_revolution;
@@ -52,15 +52,14 @@ struct Row {
   std::string status = "ok";                  ///< `ok` or one word per cause, joined by ';'
   std::optional<double> peak_over_clearance;  ///< peak_displacement_m over the clearance of the first stop
   std::optional<RunStart> start;              ///< empty: nothing was simulated
-  std::optional<double> robust_share{};       ///< see the function robust_share; empty unless asked for
+  std::optional<double> robust_share{};       ///< see the function robust_share; empty unless requested
   std::optional<int> refinement_level{};      ///< level in a refined map
-  std::optional<Basins>
-      basins{};  ///< basins of a study that asks for them; empty where no kick was simulated
+  std::optional<Basins> basins{};  ///< basins, if the study requests them; empty where no kick was simulated
   std::vector<double> key_values{};              ///< values of the axes over keys, in the order of key_names
   std::optional<HertzSecant> hertz{};            ///< secants that may be adapted
   std::optional<response::Survival> survival{};  ///< survival of a chaotic motion
   std::optional<Threshold>
-      threshold{};  ///< threshold of a study that asks for it; empty where no kick was simulated
+      threshold{};  ///< threshold, if the study requests it; empty where no kick was simulated
 };
 
 /// Class and order of a motion, such as "subharmonic 1/2" or "chaotic".
@@ -71,7 +70,7 @@ const response::motion::MotionKind& kind_of(const Row& row);
 /// Adds a word to the status of a row unless the status already has it.
 void add_status(Row& row, std::string_view word);
 
-/// Numbers that identify a row's attractor: class, order, peak_displacement_m and both amplitudes at 1X.
+/// Numbers that identify the attractor of a row: class, order, peak_displacement_m and both amplitudes at 1X.
 SampledMotion sampled_motion(const Row& row);
 
 }  // namespace rubsweep::sweep

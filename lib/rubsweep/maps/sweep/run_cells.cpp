@@ -7,7 +7,8 @@ namespace rubsweep::sweep {
 namespace {
 
 thread_local response::motion::Workspace workspace;
-thread_local Row latest;  ///< handed on by the thread that made it, before it takes another cell
+/// passed to on_row by the thread that computed it, before this thread takes another cell
+thread_local Row latest;
 
 }  // namespace
 

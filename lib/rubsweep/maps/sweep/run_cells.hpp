@@ -18,8 +18,8 @@ std::size_t run_cells(const Study& study, std::span<const std::size_t> cells, in
                       const std::function<void(std::size_t cell, const Row&)>& on_row,
                       const std::atomic<bool>& stop);
 
-/// Evaluates them where study.machine is prepared already, which takes as long as a hundred cells of a rotor
-/// kit.
+/// The same for a study.machine that is already prepared; preparing a rotor kit takes as long as a hundred
+/// cells.
 std::size_t run_cells(const Study& study, const scene::PreparedMachine& prepared,
                       std::span<const std::size_t> cells, int threads,
                       const std::function<void(std::size_t cell, const Row&)>& on_row,

@@ -42,14 +42,14 @@ struct Study {
   response::motion::ResponseOptions response;
   Robustness robustness = Robustness::off;
   Neighbours neighbours{};
-  /// Limit on how often a cell whose forces leave the range of its Hertz secants is run again with secants at
-  /// the force found; see with_hertz_iterations.
+  /// If the forces of a cell leave the range of its Hertz secants, it is run again with secants at the force
+  /// found, at most this many times; see with_hertz_iterations.
   int hertz_iterations = 0;
   std::optional<BasinSampling> basin{};      ///< starts for a count of attractors in each cell
   std::optional<ThresholdScan> threshold{};  ///< numbers for a search of thresholds of rub in each cell
   /// Makes this study with other numbers under some of its keys, and with an empty grid. Throws ConfigError
-  /// where the numbers are not allowed. The reader of the study sets it; it is empty where nothing varies
-  /// keys. Threads may share it.
+  /// where the numbers are not allowed. Set by the reader of the study; empty where nothing varies keys.
+  /// Threads may share it.
   std::function<Study(std::span<const KeyValue>)> with_keys{};
 
   /// Visits the keys of `response` that follow those of ResponseOptions.

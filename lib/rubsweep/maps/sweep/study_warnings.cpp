@@ -35,8 +35,8 @@ std::optional<scene::Cell> nearest_quiet_cell(const Study& study, const scene::P
   return std::nullopt;
 }
 
-/// Whether the kick surely cannot bring the rotor to a wall. A pulse, however long, changes no modal
-/// amplitude by more than its whole impulse at once would. Returns false for several pulses, since their
+/// Whether the kick surely cannot bring the rotor to a wall. A pulse of any length changes a modal amplitude
+/// by no more than its whole impulse would in an instant. Returns false for several pulses, since their
 /// bounds do not simply add up.
 bool never_touches(const scene::Cell& cell, numerics::ModalFormCache& forms) {
   const scene::Scene& scene = cell.scene;
@@ -52,8 +52,8 @@ bool never_touches(const scene::Cell& cell, numerics::ModalFormCache& forms) {
   return response::proof::RestProof(cell, forms).proves(section);
 }
 
-/// Reason why no cell touches; empty if some may. `forms`: cache of modal forms, which do not depend on the
-/// kick.
+/// Reason why no cell touches; empty if some cell may. `forms`: cache of modal forms, which do not depend on
+/// the kick.
 std::string why_untouched(const Study& study, const scene::PreparedMachine& prepared,
                           numerics::ModalFormCache& forms) {
   if (!study.grid.axes.empty()) return "";  // the machine differs from cell to cell
@@ -82,8 +82,8 @@ std::string why_untouched(const Study& study, const scene::PreparedMachine& prep
       kick->force_n, kick->duration_s);
 }
 
-/// Negligible change, as a share of the speed, and in radians for the direction of the unbalance. The
-/// unbalance is not known better than to a hundredth.
+/// Negligible change, as a share of the speed, and in radians for the direction of the unbalance, which is
+/// not known more accurately than to a hundredth.
 constexpr double negligible_share = 0.01;
 
 double polar_inertia_kg_m2(const scene::PreparedMachine& prepared) {

@@ -12,8 +12,8 @@ using Probes = std::map<double, Probe>;
 /// Middle of two numbers: their geometric mean if both are positive, else their arithmetic mean.
 double between(double a, double b) { return a > 0 ? a * std::sqrt(b / a) : a + (b - a) / 2; }
 
-/// Bisects between `a` and `b`, one of which rubs, and adds every number tried to `probes`, until the
-/// interval is within the tolerance.
+/// Bisects between `a` and `b`, only one of which rubs, until the interval is within the tolerance. Adds
+/// every number tried to `probes`.
 void bisect(Probes& probes, double a, double b, double tolerance, double floor,
             const std::function<Probe(double)>& probe) {
   const bool before = probes.at(a).rubs;

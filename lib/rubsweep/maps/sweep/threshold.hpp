@@ -10,7 +10,7 @@
 namespace rubsweep::sweep {
 
 /// Numbers that a study of thresholds tries in every cell: those of the axis, ascending, then bisection
-/// wherever rub begins or ends between two of them.
+/// between two of them if rub begins or ends there.
 struct ThresholdScan {
   KeyAxis axis;
   double tolerance = 1e-3;  ///< relative tolerance of each begin or end of rub; > 0
@@ -23,8 +23,8 @@ struct Probe {
   std::string motion;  ///< class and order, such as "subharmonic 1/2"
 };
 
-/// Interval of numbers in which the scan found rub everywhere. Rub was found at both ends. Unless an end is
-/// an end of the scan, the next number beyond it by the tolerance was tried as well, and there was no rub.
+/// Interval of numbers in which every number tried rubs. Both ends rub. The next number beyond an end, at the
+/// distance of the tolerance, was tried and does not rub, unless the end is an end of the scan.
 struct RubInterval {
   double from = 0, to = 0;
   std::vector<std::string> motions;  ///< motions in the order in which they first occur
@@ -38,8 +38,8 @@ struct Threshold {
 };
 
 /// Scans and bisects. Bisection ends when both sides of a change differ by at most the tolerance times the
-/// larger absolute value. If it is larger, as near zero, the tolerance times a thousandth of the scanned
-/// range is used instead.
+/// larger absolute value. Near zero, the tolerance times a thousandth of the scanned range is used instead if
+/// it is larger.
 Threshold find_threshold(const ThresholdScan& scan, const std::function<Probe(double)>& probe);
 
 }  // namespace rubsweep::sweep

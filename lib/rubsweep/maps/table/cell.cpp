@@ -31,7 +31,8 @@ std::string_view trimmed(std::string_view cell) {
 std::vector<std::string_view> cells_between_blanks(std::string_view line) {
   constexpr std::string_view blanks = " \t\r", opening = "([\"", closing = ")]\"";
   std::vector<std::string_view> cells;
-  std::array<bool, opening.size()> closes{true, true, true};  // looked for once where there is none
+  // searched for only once if the closing sign is missing
+  std::array<bool, opening.size()> closes{true, true, true};
   std::size_t end = 0;
   while (cells.size() <= most_cells) {
     const std::size_t begin = line.find_first_not_of(blanks, end);

@@ -20,18 +20,18 @@ struct Fault {
   std::string wrong, allowed;
 };
 
-/// Most cells of a line: more are no table of signals.
+/// Largest number of cells in a line; a line with more cells is no table of signals.
 inline constexpr std::size_t most_cells = std::size_t{1} << 16;
 
-/// The cells of a line, at most one more than most_cells, without blanks and quotes about them; of the
-/// separator ' ' any blanks part them.
+/// The cells of a line, at most one more than most_cells, without surrounding blanks and quotes. With the
+/// separator ' ', any number of blanks separates cells.
 std::vector<std::string_view> cells_of(std::string_view line, char separator);
 
 /// Number in a cell; NaN for an empty cell or the text NaN; empty for any other text, infinity included.
 /// Exponents have an e, or a d and a sign as in Fortran.
 std::optional<double> number_in(std::string_view cell, const NumberStyle& style);
 
-/// Whether commas may part thousands: groups of three digits behind the first one, which is shorter.
+/// Whether commas may separate thousands: groups of three digits after a first group of one to three.
 bool may_part_thousands(std::string_view cell);
 
 /// Words of a table above a column.

@@ -19,17 +19,17 @@ constexpr std::array<std::string_view, 13> steps{
     "sampleinterval", "samplinginterval", "sampletime", "sampleperiod", "samplingperiod", "deltax", "deltat",
     "tinc",           "increment",        "xincrement", "timestep",     "hresolution",    "dt"};
 
-/// Lines of a head beside a table that are looked at.
+/// Number of lines that are searched for keys and values beside a table.
 constexpr std::size_t most_lines_beside = 100;
 
-/// A key as the lists above have it.
+/// A key in the form of the lists above.
 std::string plain_key(std::string_view cell) {
   std::string plain = in_small_letters(heading_of(cell).name);
   std::erase_if(plain, [](char c) { return std::string_view(" _-:=\"").find(c) != std::string_view::npos; });
   return plain;
 }
 
-/// A number and the words behind it.
+/// A number and the words after it.
 struct Amount {
   double number = 0;
   std::string unit{};
@@ -52,7 +52,7 @@ std::optional<Amount> quantity_in(std::string_view cell) {
   return std::nullopt;
 }
 
-/// A frequency without a key: one with a key may be that of a filter.
+/// A frequency without a key. (A frequency with a key may be that of a filter.)
 std::optional<double> frequency_in(std::string_view cell) {
   if (cell.find(':') != std::string_view::npos) return std::nullopt;
   const auto quantity = quantity_in(cell);
@@ -61,7 +61,7 @@ std::optional<double> frequency_in(std::string_view cell) {
   return unit ? std::optional(quantity->number * unit->in_si) : std::nullopt;
 }
 
-/// All rates that a line says, of which `below` is the next one.
+/// All rates given in a line of text; `below` is the next line.
 std::vector<double> rates_in(const std::vector<std::string_view>& cells,
                              const std::vector<std::string_view>& below) {
   std::vector<double> found;
@@ -132,7 +132,7 @@ void name_from_beside(std::string_view text, Layout& layout) {
     const auto cells = cells_of(take_line(text), layout.separator);
     for (std::size_t key = 0; key + 1 < std::min(cells.size(), layout.columns.size()); ++key) {
       if (!layout.columns[key].is_text || !layout.columns[key + 1].is_text) continue;
-      // The columns of numbers behind key and value: times, then readings.
+      // The columns of numbers after key and value: times, then readings.
       std::size_t first = key + 2;
       const auto holds_numbers = [&](std::size_t i) {
         return !layout.columns[i].is_text && !layout.columns[i].is_empty;

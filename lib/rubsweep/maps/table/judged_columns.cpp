@@ -9,7 +9,7 @@
 namespace rubsweep::table {
 namespace {
 
-/// Lines that the layout is judged by.
+/// Number of lines from which the layout is found.
 constexpr std::size_t most_lines = 1000;
 
 bool is_stamp(std::string_view cell, char separator) {
@@ -27,7 +27,7 @@ bool Lines::read_on(std::vector<Line>& lines) {
     const auto offset = static_cast<std::size_t>(rest_.data() - begin_);
     const std::string_view line = take_line(rest_);
     if (line.starts_with("***End_of_Header***"))
-      lines.clear();  // lines of LabVIEW's head: the table comes behind it
+      lines.clear();  // header lines of LabVIEW, before the table
     else if (line.find_first_not_of(" \t") != std::string_view::npos)
       lines.push_back({line, number_, offset});
   }
@@ -105,7 +105,8 @@ void judge_columns(const std::vector<Line>& lines, Layout& layout) {
   });
   for (std::size_t i = 0; i < count; ++i) {
     Column& column = layout.columns[i];
-    // Words, numbers and then nothing, beside words: what an oscilloscope says beside its first readings.
+    // Words, numbers and then empty cells, next to a column of words: keys and values of an oscilloscope
+    // beside its first readings.
     const bool beside =
         i > 0 && layout.columns[i - 1].is_text && column.text_line > 0 && 2 * votes[i].filled < rows;
     layout.head_beside = layout.head_beside || beside;

@@ -16,13 +16,13 @@ struct Line {
   std::size_t number = 0, offset = 0;
 };
 
-/// The lines of a text that are not blank, some at a time.
+/// Reads those lines of a text that are not blank, a number of lines at a time.
 class Lines {
  public:
   explicit Lines(std::string_view text) : begin_(text.data()), rest_(text) {}
 
-  /// The next lines, and the last of those before them; false at the end of the text. What stands above the
-  /// end of a LabVIEW head is left out: the table comes behind it.
+  /// Reads the next lines, and keeps the last ones read before; false at the end of the text. Drops the lines
+  /// of a LabVIEW header, which precede the table.
   bool read_on(std::vector<Line>& lines);
 
  private:
@@ -31,20 +31,22 @@ class Lines {
   std::size_t number_ = 1;
 };
 
-/// Whether a cell is a number in either writing, or a time stamp.
+/// Whether a cell is a number, with decimal point or decimal comma, or a time stamp.
 bool is_number(std::string_view cell, char separator);
 
 std::vector<bool> numbers_in(const std::vector<std::string_view>& cells, char separator);
 
-/// The separator that most lines have two numbers by; a comma may also be that of decimals. Blanks stand in
-/// words, too: they part the cells where most lines have numbers by them, and clearly more than by another.
+/// The separator by which most lines have two numbers; a comma may also be the decimal sign. Blanks also
+/// occur in words: they are the separator where clearly more lines have numbers by blanks than by any other
+/// separator.
 char separator_of(const std::vector<Line>& lines);
 
-/// Cells of a row, and which of its columns hold numbers; lines count by the square of how many numbers they
-/// have, so that a head of keys and values is outdone by few rows. Throws Fault for lines without numbers.
+/// Finds the number of cells in a row, and the columns that hold numbers. A line has the square of its number
+/// of numbers as weight, so that few rows outweigh a header of keys and values. Throws Fault for lines
+/// without numbers.
 void judge_columns(const std::vector<Line>& lines, Layout& layout);
 
-/// Whether a line is a row of numbers, at least half of which are there.
+/// Whether a line is a row of numbers, of which at least half are present.
 bool is_row(const Line& line, const Layout& layout);
 
 }  // namespace rubsweep::table

@@ -15,7 +15,7 @@ bool is_unit_row(const std::vector<std::string_view>& cells) {
          std::ranges::all_of(cells, [](auto cell) { return cell.empty() || is_unit(cell); });
 }
 
-/// Whether words of a row are units, where numbers stand among them: some oscilloscopes give a step of time
+/// Whether the words of a row are units, with numbers among them: some oscilloscopes write a step of time
 /// there.
 bool is_unit_row_with_numbers(const std::vector<std::string_view>& cells, char separator) {
   std::size_t words = 0, units = 0, numbers = 0;
@@ -29,7 +29,7 @@ bool is_unit_row_with_numbers(const std::vector<std::string_view>& cells, char s
   return numbers > 0 && units > 0 && 2 * units >= words && words >= numbers;
 }
 
-/// Whether cells behind the first one count the columns, from 1 on.
+/// Whether the cells after the first one are the numbers 1, 2, ... of the columns.
 bool count_columns(const std::vector<std::string_view>& cells, const Layout& layout) {
   if (cells.size() < std::max<std::size_t>(layout.fewest_cells, 2) || cells[0].empty() ||
       is_number(cells[0], layout.separator))
@@ -39,8 +39,8 @@ bool count_columns(const std::vector<std::string_view>& cells, const Layout& lay
   return true;
 }
 
-/// Whether cells name the columns: the first one may be a number of the row, without a name, and where no
-/// line is left in which all differ, some may be the same, which whoever asks for them is told.
+/// Whether the cells are names of columns. The first cell may be empty, for a column of row numbers. With
+/// `all_differ` false some names may be equal; a user who refers to such a name gets an error.
 bool are_names(const std::vector<std::string_view>& cells, const Layout& layout, bool all_differ = true) {
   if (cells.size() < layout.fewest_cells) return false;
   std::size_t once = 0, named = 0;
@@ -58,7 +58,7 @@ bool are_names(const std::vector<std::string_view>& cells, const Layout& layout,
 void set_names(Layout& layout, const Line& line, std::string_view text) {
   const auto cells = cells_of(text, layout.separator);
   layout.names_line = line.number;
-  // Columns behind the numbers, which have a name but cells only in some rows.
+  // Columns after the numbers that have a name but cells only in some rows.
   for (std::size_t i = layout.columns.size(); i < cells.size(); ++i)
     layout.columns.push_back({.heading = {}, .is_text = true});
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -75,7 +75,7 @@ void set_units(Layout& layout, const std::vector<std::string_view>& cells) {
   }
 }
 
-/// A line of a head that says units behind a key: "VUnit,V,V".
+/// A header line with units after a key: "VUnit,V,V".
 bool is_keyed_unit_row(const std::vector<std::string_view>& cells, const Layout& layout) {
   constexpr std::array<std::string_view, 6> keys{"vunit", "verticalunits", "vertical units",
                                                  "unit",  "units",         "einheit"};
@@ -88,7 +88,7 @@ std::string_view uncommented(std::string_view line) {
   return line.substr(std::min(line.find_first_not_of(" \t#%"), line.size()));
 }
 
-/// Refuses a row of numbers above the table, which would otherwise be lost.
+/// Refuses a row of numbers above the table, because it would be lost.
 void refuse_other_rows(const Layout& layout, const std::vector<Line>& above) {
   for (const Line& line : above) {
     if (line.number < layout.names_line || is_comment(line.text)) continue;
@@ -158,7 +158,7 @@ bool is_comment(std::string_view line) {
 Layout layout_of(std::string_view text) {
   std::vector<Line> lines;
   Lines rest(text);
-  // A long head is passed over: most or the last of the lines that were read must have numbers.
+  // Skips a long header: most of the lines read, or the last ones, must have numbers.
   const auto has_number = [](const Line& line) {
     return !is_comment(line.text) && std::ranges::any_of(separators, [&](char separator) {
       const auto numbers = std::ranges::count(numbers_in(cells_of(line.text, separator), separator), true);
@@ -217,7 +217,7 @@ Layout layout_of(std::string_view text, const std::function<bool(const Heading&)
   layout.columns.resize(cells_of(uncommented(lines[names].text), layout.separator).size());
   set_names(layout, lines[names], uncommented(lines[names].text));
   if (names > 0) {
-    // Names with units behind them may stand one line above, so that a name here may be missing.
+    // Names may be in the line above, with their units in this line; a name may then be missing here.
     const auto above = cells_of(lines[names - 1].text, layout.separator);
     for (std::size_t i = 0; i < std::min(above.size(), layout.columns.size()); ++i)
       if (layout.columns[i].heading.name.empty()) layout.columns[i].heading.name = heading_of(above[i]).name;

@@ -53,7 +53,8 @@ std::string of_utf16(std::string_view bytes, bool large_end_first) {
   return text;
 }
 
-/// UTF-16 without a mark: of its first letters every other byte is zero; true: the first of each pair.
+/// Detects UTF-16 without a byte order mark: every second byte of its first letters is zero. True: the first
+/// byte of each pair is.
 std::optional<bool> zero_in_a_pair(std::string_view bytes) {
   constexpr std::size_t looked_at = 64;
   if (bytes.size() < 8 || bytes.size() % 2 != 0) return std::nullopt;
@@ -65,7 +66,7 @@ std::optional<bool> zero_in_a_pair(std::string_view bytes) {
   return std::nullopt;
 }
 
-/// Words that stand in the place of a reading: out of range, or not there.
+/// Words that instruments write instead of a reading: out of range, or missing.
 bool stands_for_a_reading(std::string_view cell) {
   constexpr std::array<std::string_view, 14> words{"nan",      "-nan", "\u221e", "-\u221e", "+\u221e",
                                                    "ol",       "ovl",  "ovld",   "over",    "overload",
@@ -86,7 +87,7 @@ bool says_words_alone(const std::vector<std::string_view>& cells, char separator
          std::ranges::none_of(cells, reads);
 }
 
-/// A cell fit for a message.
+/// A cell in a form that is suitable for a message.
 std::string quoted(std::string_view cell) { return '\'' + printable(cell.substr(0, 40)) + '\''; }
 
 }  // namespace

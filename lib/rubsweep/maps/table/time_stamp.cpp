@@ -20,7 +20,7 @@ std::optional<double> whole_number(std::string_view digits) {
   return value;
 }
 
-/// Number of a month that is a number or begins with three letters of its English name.
+/// Number of a month, given as a number or by the first three letters of its English name.
 std::optional<double> month_in(std::string_view word) {
   constexpr std::array<std::string_view, 12> names{"jan", "feb", "mar", "apr", "may", "jun",
                                                    "jul", "aug", "sep", "oct", "nov", "dec"};
@@ -50,7 +50,7 @@ std::optional<double> day_in(std::string_view date) {
   auto parts = parts_of(date, date[mark]);
   if (parts.size() != 3) return std::nullopt;
   if (mark == 4) std::swap(parts[0], parts[2]);
-  // A day before the month, but for dates with strokes, which Americans write the other way round.
+  // The day comes before the month, except in dates with slashes, in which Americans write the month first.
   if (date[mark] == '/' && mark != 4 && whole_number(parts[0]).value_or(13) <= 12)
     std::swap(parts[0], parts[1]);
   const auto y = whole_number(parts[2]), m = month_in(parts[1]), d = whole_number(parts[0]);
@@ -65,7 +65,7 @@ void take_blanks_off(std::string_view& text) {
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
 }
 
-/// Takes a zone off the end of a time of the day, and returns what it is ahead of universal time.
+/// Removes a time zone from the end of a time, and returns by how many seconds it is ahead of universal time.
 double take_zone(std::string_view& time) {
   for (const std::string_view word : {"Z", "UTC", "GMT"})
     if (time.ends_with(word)) {
@@ -89,7 +89,8 @@ double take_zone(std::string_view& time) {
   return behind ? -ahead_s : ahead_s;
 }
 
-/// Takes AM or PM off the end of a time: hours that it moves 12 to, or nothing.
+/// Removes AM or PM from the end of a time, and returns the hours to which it moves 12 o'clock; empty without
+/// AM or PM.
 std::optional<double> take_half_of_day(std::string_view& time) {
   const std::string small =
       in_small_letters(time.substr(time.size() - std::min<std::size_t>(4, time.size())));
@@ -102,7 +103,7 @@ std::optional<double> take_half_of_day(std::string_view& time) {
   return std::nullopt;
 }
 
-/// Place behind a date, which has a blank or T before the hour; 0: there is no date.
+/// End of the date in a cell: a blank or T before the hour follows; 0: there is no date.
 std::size_t end_of_date(std::string_view cell) {
   const std::size_t colon = cell.find(':');
   if (colon == std::string_view::npos) return 0;

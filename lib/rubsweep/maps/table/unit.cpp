@@ -13,7 +13,7 @@ namespace {
 using std::numbers::pi;
 
 struct Named {
-  std::string_view name;  ///< as plain_unit writes it; in small letters unless these count
+  std::string_view name;  ///< as plain_unit writes it; in small letters, unless capital letters matter
   Unit unit;
 };
 

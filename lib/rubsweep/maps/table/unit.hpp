@@ -13,7 +13,7 @@ enum class Quantity {
   acceleration,
   angle,
   turning,  ///< speed of a shaft
-  rate,     ///< 1/s, which may be of turns or of radians
+  rate,     ///< 1/s, which may mean turns or radians per second
   voltage,
   current,
   force,
@@ -25,21 +25,21 @@ enum class Quantity {
   share,
 };
 
-/// A unit by its size: how many of the SI unit it is. Of speeds of a shaft that is one turn in a second, of
-/// angles the radian, of temperatures the kelvin (without their origin), of shares one.
+/// A unit, with its size in SI units. The basis for shaft speeds is one turn per second, for angles the
+/// radian, for temperatures the kelvin (without an offset), for shares one.
 struct Unit {
   Quantity quantity = Quantity::share;
   double in_si = 1;
 };
 
-/// The unit of these words, as people write it: "N-s/m" and "N s/m" are one, and so are "um" with either sign
-/// for micro. Capital letters count where M, k and N stand together (MN/m is not mN/m), else they do not.
-/// Empty where it is unknown.
+/// The unit that these words name, in the spelling of people: "N-s/m" and "N s/m" are the same unit, and so
+/// are "um" with either sign for micro. Capital letters matter only in units with M, k or N (MN/m is not
+/// mN/m). Empty where the unit is unknown.
 std::optional<Unit> unit_of(std::string_view words);
 
 inline constexpr double newtons_per_lbf = 4.4482216152605, metres_per_inch = 0.0254;
 inline constexpr double standard_gravity = 9.80665;  ///< g in m/s^2
-/// A pound of force by an inch, in N/m.
+/// One pound-force per inch, in N/m.
 inline constexpr double lbf_per_in = newtons_per_lbf / metres_per_inch;
 
 }  // namespace rubsweep::table

@@ -45,7 +45,7 @@ bool is_recording(std::string_view name) {
   return digits > 0 && (name.substr(digits) == ".csv" || name.substr(digits) == ".mat");
 }
 
-/// Removes unfinished files of killed processes. An earlier version named its scratch files with
+/// Removes unfinished files of killed processes. Scratch files of an earlier version end with
 /// `scratch_ending` alone.
 void remove_left_over(const fs::path& directory) {
   for (const std::string_view part : parts) {
@@ -57,7 +57,8 @@ void remove_left_over(const fs::path& directory) {
   }
 }
 
-/// Returns `journal`. Throws ConfigError where the directory holds recordings of another study or build.
+/// Returns the path `journal`. Throws ConfigError where the directory holds recordings of another study or
+/// build.
 fs::path checked(const fs::path& journal, const batch::JournalHeader& header) {
   if (fs::exists(journal) && !batch::same_results(batch::read_journal_header(journal), header))
     throw ConfigError(
@@ -72,8 +73,8 @@ std::string_view file_in(std::string_view label) {
   return label.substr(0, label.find(','));
 }
 
-/// Checksum of the recording's file in its line of labels.csv. The columns behind it have numbers, so that no
-/// comma stands inside a cell there.
+/// Checksum of the recording's file in its line of labels.csv. Later columns are numbers, so the search for
+/// commas cannot hit one inside a cell.
 std::string_view sum_in(std::string_view label) {
   const std::vector<LabelColumn> columns = label_columns();
   for (std::size_t k = columns.size() - 1; columns[k].name != "sha256"; --k)

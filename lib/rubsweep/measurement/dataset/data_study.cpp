@@ -20,7 +20,7 @@ constexpr std::string_view root_form =
     "a map with recordings, machine, candidates, measurement, split, format, output";
 constexpr model::Range share{.low = 0, .high = 1};
 
-/// Ranges of the machine that every candidate has.
+/// Ranges of the machine parameters that all candidates share.
 struct MachineRanges {
   Spread natural_frequency_hz{20, 60, false}, damping_ratio{0.01, 0.04, true}, clearance_m{5e-5, 1e-3, true};
 };

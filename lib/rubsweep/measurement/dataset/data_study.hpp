@@ -16,7 +16,7 @@ namespace rubsweep::dataset {
 enum class Format { csv, matlab };
 constexpr std::string_view to_string(Format format) { return enumerator_word(format); }
 
-/// Way in which the motions are sampled by the instrument.
+/// How the instrument samples the motions.
 struct Measurement {
   int turns = 32;                  ///< turns of the shaft in every recording, rounded down to whole readings
   double sampling_rate_hz = 5000;  ///< > 0
@@ -51,7 +51,7 @@ struct DataStudy {
   Measurement measurement{};
   Split split{};
   Format format = Format::csv;
-  std::filesystem::path directory{};  ///< place of the set; decides no byte of it
+  std::filesystem::path directory{};  ///< directory of the set; does not change the bytes of its files
 };
 
 }  // namespace rubsweep::dataset

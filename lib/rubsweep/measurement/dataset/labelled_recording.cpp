@@ -31,6 +31,15 @@ void measure_rub(const DataStudy& study, LabelledRecording& recording) {
   recording.force_ratio = force_n / (study.fixed.rotor_mass_kg * gravity_m_per_s2);
 }
 
+/// Largest second difference of a motion over time.
+double peak_acceleration(const std::vector<std::complex<double>>& motion, double speed_hz) {
+  const double step_s = 1 / (speed_hz * samples_per_revolution);
+  double peak = 0;
+  for (std::size_t k = 1; k + 1 < motion.size(); ++k)
+    peak = std::max(peak, std::abs(motion[k - 1] - 2.0 * motion[k] + motion[k + 1]) / (step_s * step_s));
+  return peak;
+}
+
 /// Draws the numbers of this recording until its motion can be simulated and its rub stays within the study's
 /// limits.
 void draw_motion(const DataStudy& study, const MachineDraw& machine, LabelledRecording& recording,
@@ -57,7 +66,7 @@ void draw_motion(const DataStudy& study, const MachineDraw& machine, LabelledRec
           recording.force_ratio <= study.rub.force_ratio)
         return;
     } catch (const ConfigError&) {
-      // Each of these numbers is allowed, but their combination is not.
+      // Each of these numbers is allowed, but the machine that they make together is not.
     }
   }
   throw SolverError(
@@ -70,7 +79,7 @@ std::vector<double> read(const std::vector<std::complex<double>>& motion, bool y
                          const std::vector<double>& turns) {
   std::vector<double> signal;
   for (const std::complex<double> z : motion) signal.push_back(y ? z.imag() : z.real());
-  // Each reading is the first sample of a stretch of its own, so one more instant must end the last stretch.
+  // Each reading is the first sample of its own interval, so one more instant must end the last interval.
   std::vector<double> ends = turns;
   ends.push_back(2 * turns.back() - turns[turns.size() - 2]);
   return recording::at_equal_angles(signal, 0, samples_per_revolution, ends, 1);
@@ -97,7 +106,8 @@ MachineDraw draw_machine(const DataStudy& study, std::size_t machine) {
                                                                        : "test";
   for (int probe = 0; probe < study.measurement.probes; ++probe)
     drawn.gain.push_back(1 + study.measurement.gain_error * random.normal());
-  // The last number of the stream, so that sets of springs stay what they were.
+  // Drawn last from the stream, so that sets of linear springs keep the numbers that they had before
+  // exponents existed.
   drawn.unit[static_cast<std::size_t>(Unknown::exponent)] = random.uniform();
   return drawn;
 }
@@ -115,6 +125,8 @@ LabelledRecording make_recording(const DataStudy& study, std::size_t index,
   recording.mark_turns = machine.mark_turns;
   recording.gain = machine.gain;
   draw_motion(study, machine, recording, workspace);
+  recording.peak_acceleration_m_per_s2 =
+      peak_acceleration(recording.motion.displacement_m, recording.speed_hz);
   RandomStream random(study.seed, index, Purpose::of_readings);
   for (std::complex<double>& z : recording.motion.displacement_m)
     z *= std::polar(1.0, recording.stop_angle_deg * std::numbers::pi / 180);

@@ -17,7 +17,8 @@ enum Purpose : std::uint64_t { of_machine, of_recording, of_readings };
 
 /// Numbers of a machine that its recordings have in common.
 struct MachineDraw {
-  diagnose::Point unit{};  ///< places in the candidate's ranges; some are drawn again per recording
+  /// values in the unit ranges of the candidate; some are drawn again for each recording
+  diagnose::Point unit{};
   double clearance_m = 0, stop_angle_deg = 0, mark_turns = 0;
   std::string_view part{};     ///< training, validation or test
   std::vector<double> gain{};  ///< gain of each probe
@@ -29,7 +30,7 @@ std::size_t candidate_of(const DataStudy& study, std::size_t machine);
 /// Draws the numbers of a machine; they depend on the study and the machine's index alone.
 MachineDraw draw_machine(const DataStudy& study, std::size_t machine);
 
-/// One recording and all that is known about it.
+/// One recording and everything that is known about its machine and motion.
 struct LabelledRecording {
   std::size_t index = 0, machine = 0, candidate = 0;
   std::string_view part{};  ///< training, validation or test, the same for all recordings of a machine
@@ -39,16 +40,18 @@ struct LabelledRecording {
   double noise_m = 0;                             ///< standard deviation of every reading
   std::vector<double> gain{};                     ///< gain of each probe
   double penetration_ratio = 0, force_ratio = 0;  ///< ratios as defined in RubBounds
+  double peak_acceleration_m_per_s2 = 0;          ///< of the rotor, from samples_per_revolution points a turn
   diagnose::SimulatedMotion motion{};             ///< label; its samples are replaced by the readings
-  std::string sha256{};                           ///< digest of its file, once that is written
+  /// digest of the recording's file, once the file is written
+  std::string sha256{};
   std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: empty with one probe
 };
 
 /// Voltage of the keyphasor away from its mark and at the mark.
 inline constexpr double no_mark_v = -2, mark_v = -12;
 
-/// Makes the recording of that index. The machine fixes stops, frequency, damping, clearance, contact, the
-/// angles of stop and mark, and the gains of the probes. Speed, unbalance, the kick at the start and the
+/// Makes the recording with index `index`. The machine fixes stops, frequency, damping, clearance, contact,
+/// the angles of stop and mark, and the gains of the probes. Speed, unbalance, the kick at the start and the
 /// noise are drawn for each recording until the rub stays within the study's limits. The result depends on
 /// the arguments alone. Throws SolverError where many draws in a row cannot be simulated or exceed the
 /// limits.

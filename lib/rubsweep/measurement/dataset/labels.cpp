@@ -27,7 +27,7 @@ bool touches(const DataStudy& study, const LabelledRecording& recording) {
   return study.candidates[recording.candidate].cause != Cause::no_rub;
 }
 
-/// Value of an unknown that only machines with stops have; empty for the others.
+/// Value of a parameter that only machines with stops have; an empty cell for machines without stops.
 template <Unknown unknown>
 std::string of_stop(const DataStudy& study, const LabelledRecording& recording) {
   return touches(study, recording) ? number(value_of(recording.values, unknown)) : "";
@@ -137,6 +137,9 @@ std::vector<Column> motion_columns() {
       {{"sha256", "SHA-256 of its file"}, [](S, R r) { return r.sha256; }},
       {{"exponent", "exponent of the penetration in the force of the contact; 1: a spring"},
        of_stop<Unknown::exponent>},
+      {{"peak_acceleration_m_per_s2",
+        "largest acceleration of the rotor in the recording, from 128 points a turn"},
+       [](S, R r) { return number(r.peak_acceleration_m_per_s2); }},
   };
 }
 

@@ -29,8 +29,8 @@ std::string file_of(const DataStudy& study, const LabelledRecording& recording);
 /// Everything that decides the bytes of a set, one item per line: the text whose digest identifies the study.
 std::string study_text(const DataStudy& study);
 
-/// Description of a set (Gebru et al. 2021, "Datasheets for datasets"): how it was made, its files, columns
-/// and units, and what it can and cannot be used for. Markdown; `program`: name and version of the writing
+/// Description of a set (Gebru et al. 2021, "Datasheets for datasets"): how the set was made, its files,
+/// columns and units, and its possible uses and limits. Markdown; `program`: name and version of the writing
 /// program.
 std::string datasheet(const DataStudy& study, const std::string& program);
 

@@ -14,9 +14,8 @@
 
 namespace rubsweep::config::dataset {
 
-/// Reads one number, which is then known, or a list of two numbers, the bounds of an interval. `logarithmic`:
-/// the logarithm is uniformly distributed between the bounds. Leaves `target` as it is where the key is
-/// missing.
+/// Reads a single number, which counts as known, or the two bounds of an interval. `logarithmic`: the
+/// logarithm is uniformly distributed between the bounds. Leaves `target` unchanged where the key is missing.
 void read_spread(yaml::Section& section, std::string_view name, const model::Range& range, bool logarithmic,
                  diagnose::Spread& target);
 
@@ -44,9 +43,9 @@ CandidateFile usual_candidate_file();
 /// `name` stands for the file in messages. Throws ConfigError with every problem.
 CandidateFile read_candidate_file_text(std::string_view text, const std::string& name);
 
-/// Reads a list of candidates. Each is the name of a cause, or a map with kind, name, clearance_m and the
-/// keys of diagnose::unknown_rows that its stops have; missing keys have their usual ranges. `of_any_rotor`:
-/// keys that only stops of a rotor kit have are allowed, too.
+/// Reads a list of candidates. Each entry is the name of a cause, or a map with kind, name, clearance_m and
+/// those keys of diagnose::unknown_rows that the candidate's stops have. Missing keys have their usual
+/// ranges. `of_any_rotor`: keys that only stops of a rotor kit have are allowed, too.
 std::vector<diagnose::Candidate> read_candidates(const yaml::Value& value, bool of_any_rotor);
 
 }  // namespace rubsweep::config::dataset

@@ -10,8 +10,8 @@ const std::array<UnknownRow, unknown_count>& unknown_rows() {
   static const std::array<UnknownRow, unknown_count> rows{{
       {Unknown::natural_frequency, "natural_frequency_hz", model::positive, {}, false, false},
       {Unknown::damping_ratio, "damping_ratio", model::positive, {}, false, false},
-      // Below 0.1 no kick that a machine survives reaches the stop; at 3 the quiet whirl would be three times
-      // as large as the clearance.
+      // Below 0.1, no kick that a machine survives carries the rotor to the stop. At 3, the quiet whirl would
+      // be three times as large as the clearance.
       {Unknown::whirl_ratio, "whirl_ratio", model::positive, {0.1, 3, true}, true},
       // Contact stiffness from a seal strip to steel on steel.
       {Unknown::stiffness, "stiffness_n_per_m", model::positive, {1e5, 1e8, true}, true},
@@ -20,7 +20,8 @@ const std::array<UnknownRow, unknown_count>& unknown_rows() {
       {Unknown::friction, "friction_coefficient", friction, {0.02, 0.3, false}, false},
       {Unknown::casing_mass, "casing_mass_kg", model::positive, {0.02, 2, true}, true},
       {Unknown::casing_frequency, "casing_frequency_hz", model::positive, {100, 2000, true}, true},
-      // From a kick that alone carries the rotor over half the clearance to one with 40 times that speed.
+      // Range from a kick that carries the rotor over half the clearance to a kick that gives 40 times this
+      // speed.
       {Unknown::kick_ratio, "kick_ratio", model::positive, {0.5, 20, true}, true},
       {Unknown::kick_angle, "kick_angle_deg", model::any_finite, {-180, 180, false}, false, false},
       {Unknown::kick_phase, "kick_phase_deg", model::any_finite, {0, 360, false}, false, false},
@@ -29,7 +30,7 @@ const std::array<UnknownRow, unknown_count>& unknown_rows() {
       {Unknown::stop_angle, "stop_angle_deg", model::any_finite, {}, false, false, true},
       {Unknown::position, "position_m", model::not_negative, {}, false, false, true},
       {Unknown::kit, "kit", model::any_finite, {}, false, false, true},
-      // A spring, for which closed forms know the motion; others take many times the time.
+      // Exponent of a spring, whose motion has closed forms. Other exponents cost many times the time.
       {Unknown::exponent, "exponent", model::NormalLaw::exponent_range, {1, 1, false}, false},
   }};
   return rows;
@@ -54,7 +55,7 @@ Candidate usual_candidate(Cause cause) {
   known(Unknown::kick_angle, 0);
   known(Unknown::kick_phase, 0);
   known(Unknown::offset_ratio, 0);
-  // Without a rub: from a well-balanced rotor to one whose quiet whirl just clears the stop.
+  // Without a rub: range from a well-balanced rotor to a rotor whose quiet whirl almost touches the stop.
   spread_of(candidate, Unknown::whirl_ratio) = {0.01, 1, true};
   return candidate;
 }

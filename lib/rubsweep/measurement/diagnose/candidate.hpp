@@ -13,7 +13,7 @@
 
 namespace rubsweep::diagnose {
 
-/// Kind of stops that a candidate has, or none.
+/// Kind of the stops of a candidate; also "no rub".
 enum class Cause {
   no_rub,         ///< no stop is touched
   one_side,       ///< one flat stop
@@ -25,11 +25,11 @@ constexpr std::string_view to_string(Cause cause) { return enumerator_word(cause
 inline constexpr auto cause_words = words_of<Cause>();
 inline constexpr auto& all_causes = cause_words.values;
 
-/// Parameters that a recording alone does not tell. Angles count from the direction of the stop.
+/// Parameters that cannot be read from a recording. Angles are measured from the direction of the stop.
 enum class Unknown : std::size_t {
   natural_frequency,  ///< frequency of the rotor, Hz
   damping_ratio,
-  whirl_ratio,             ///< radius of the quiet whirl / clearance left
+  whirl_ratio,             ///< radius of the quiet whirl / remaining clearance
   stiffness,               ///< stiffness of the contact, N/m
   restitution,             ///< nominal coefficient of restitution
   friction,                ///< coefficient of dry friction
@@ -42,13 +42,12 @@ enum class Unknown : std::size_t {
   offset_ratio,            ///< annular_offset: offset / clearance
   stop_angle,  ///< degrees from +x; 0 where the machine looks the same from all directions without the stop
   position,    ///< place of the stops along the shaft of a rotor kit, m
-  kit,         ///< place in KnownKit::likely, as a share of them
-  exponent     ///< of the penetration in the force of the contact, which is as stiff at a twentieth of the
-               ///< clearance
+  kit,         ///< position in the list KnownKit::likely, from 0 (first) to 1 (last)
+  exponent     ///< exponent of the force law; at 1/20 of the clearance all exponents have the same stiffness
 };
 inline constexpr std::size_t unknown_count = 17;
 
-/// One number per unknown: its value, or the place in [0, 1] that its Spread maps to the value.
+/// One number per unknown: its value, or the position in [0, 1] that its Spread maps to the value.
 using Point = std::array<double, unknown_count>;
 
 struct UnknownRow {
@@ -57,8 +56,9 @@ struct UnknownRow {
   model::Range range;    ///< values that a machine may have
   Spread usual;          ///< range where a file gives none
   bool logarithmic;      ///< whether intervals from a file are uniform in the logarithm
-  bool of_file = true;   ///< whether a file may give this number; else machine or recording do
-  bool of_kit = false;   ///< whether only rotor kits have this number
+  /// whether a candidates' file may give this number; otherwise machine or recording give it
+  bool of_file = true;
+  bool of_kit = false;  ///< whether only rotor kits have this number
 };
 const std::array<UnknownRow, unknown_count>& unknown_rows();
 
@@ -67,14 +67,15 @@ struct Candidate {
   std::string name;
   Cause cause = Cause::no_rub;
   std::array<Spread, unknown_count> spreads{};
-  Spread clearance_m{};  ///< clearance of the first stop; usual candidates get the one of the study
+  Spread clearance_m{};  ///< clearance of the first stop; usual candidates take the clearance of the study
   std::optional<Spread> position_m{};  ///< range along the shaft of a rotor kit; empty: all allowed places
 };
 
 Spread& spread_of(Candidate& candidate, Unknown unknown);
 const Spread& spread_of(const Candidate& candidate, Unknown unknown);
 
-/// A candidate with the usual ranges. Numbers that its stops do not have get equal bounds, so they are known.
+/// A candidate with the usual ranges. A number that its stops do not have gets two equal bounds, and so
+/// counts as known.
 Candidate usual_candidate(Cause cause);
 
 /// One usual candidate for every cause.

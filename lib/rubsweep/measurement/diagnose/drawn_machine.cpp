@@ -14,10 +14,10 @@ model::Rotor rotor_of(const Point& values, const FixedNumbers& fixed) {
                               value_of(values, Unknown::damping_ratio), fixed.rotating_damping_ratio};
 }
 
-/// Share of the clearance at which a contact with an exponent is as stiff as `stiffness` says.
+/// Share of the clearance at which a contact with any exponent has the stiffness `stiffness`.
 constexpr double share_of_stiffness = 0.05;
 
-/// A spring, or a power of the penetration with the damping of Hunt & Crossley.
+/// Law of a spring (exponent 1), or else a power of the penetration with the damping of Hunt & Crossley.
 model::NormalLaw law_of(const Point& values, double clearance_m) {
   model::NormalLaw law;
   const double exponent = value_of(values, Unknown::exponent);

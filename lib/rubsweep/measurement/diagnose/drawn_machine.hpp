@@ -8,7 +8,7 @@
 
 namespace rubsweep::diagnose {
 
-/// Numbers of a rotor and its stops that all draws have in common.
+/// Parameters of rotor and stops that are the same in all draws.
 struct FixedNumbers {
   double rotor_mass_kg = 1;
   double contact_radius_m = 0.02;
@@ -20,10 +20,10 @@ struct FixedNumbers {
 /// Duration of the half-sine pulse that starts a drawn machine.
 inline constexpr double kick_duration_s = 2e-3;
 
-/// The rotor with the stops of a cause, the first stop in the direction stop_angle. `values` has the units of
-/// Unknown. For `no_rub` a stop out of reach takes the place of none, because a machine must have one; in a
-/// kit it stands at the probes. The pulse is a knock at the stop: a half sine of kick_duration_s with the
-/// impulse rotor mass x kick_ratio x clearance x natural angular frequency.
+/// The rotor with the stops of a cause; the first stop lies in the direction stop_angle. `values` has the
+/// units of Unknown. Since a machine must have a stop, `no_rub` has one out of reach, in a kit at the probes.
+/// The pulse is a knock at the stop: a half sine of kick_duration_s with the impulse rotor mass x kick_ratio
+/// x clearance x natural angular frequency.
 model::Machine drawn_machine(Cause cause, const Point& values, double clearance_m, const FixedNumbers& fixed);
 
 /// Penetration at this contact force divided by the smallest clearance.

@@ -23,7 +23,7 @@ constexpr double deviations_of_95 = 1.959963984540054;
   throw IoError(fmt::format("{}:{}: {}", rows.path().string(), rows.place().line, what));
 }
 
-/// Refuses numbers that cannot come from a fit: the ends of an interval must be both finite or both infinite.
+/// Refuses numbers that cannot come from a fit: an interval has two finite ends or two infinite ends.
 void require_interval(const batch::CsvReader& rows, const std::string& name, double value, double low,
                       double high) {
   if (!std::isfinite(value)) fail(rows, fmt::format("{}: value: is no number, allowed: a finite one", name));

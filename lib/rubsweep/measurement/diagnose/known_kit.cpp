@@ -21,8 +21,8 @@
 namespace rubsweep::diagnose {
 namespace {
 
-/// Part of a kit that fixes a length or a force, so that the motion cannot be scaled; empty where there is
-/// none.
+/// Part of a kit that fixes a length or a force, so that the motion cannot be scaled; empty where no part
+/// does.
 std::optional<std::string_view> part_of_its_own_size(const model::RotorKit& kit) {
   if (kit.bow) return "rotor.bow";
   if (model::has_misalignment(kit) || model::has_standing_misalignment(kit)) return "rotor.couplings";
@@ -76,8 +76,8 @@ double lowest_frequency_hz(const scene::PreparedMachine& prepared) {
                   prepared.reduction->frequency_hz[1].minCoeff());
 }
 
-/// Number of modes kept in each plane: those up to the highest compared order, and one more. The attachment
-/// modes of the stops replace the compliance of the modes left out.
+/// Number of modes kept in each plane: all modes up to the highest compared order, and one more. The
+/// attachment modes of the stops represent the compliance of the omitted modes.
 int modes_kept(const structure::Reduction& reduction, double speed_hz) {
   const double compared_hz = most_order * speed_hz;
   Eigen::Index most = 1;
@@ -95,7 +95,7 @@ void add(const Matrix& matrix, batch::Sha256& sum) {
            static_cast<std::size_t>(matrix.size()) * sizeof(typename Matrix::Scalar)});
 }
 
-/// Adds everything that decides the motion of the kit to a digest, whatever file it came from.
+/// Adds everything that decides the motion of the kit to a digest, independent of the file it came from.
 void add(const scene::PreparedMachine& prepared, batch::Sha256& sum) {
   const structure::LinearSystem& system = prepared.assembly.system;
   for (const Eigen::MatrixXd* matrix :

@@ -17,7 +17,7 @@ struct KnownKit {
   double probe_position_m = 0;    ///< place of the first sensor
   double from_m = 0, to_m = 0;    ///< first and last support on the shaft; the stops stand between them
   double length_m = 0;            ///< length of the shaft
-  bool same_all_around = false;   ///< isotropic: all directions across the shaft are alike
+  bool same_all_around = false;   ///< isotropic: the kit behaves alike in all directions across the shaft
   std::vector<double> nodes_m{};  ///< nodes of a kit of matrices, where its stops stand
   std::string digest{};           ///< digest of everything that decided the kits, for tables of cases
 };
@@ -28,12 +28,12 @@ struct KnownKit {
 void refuse_unscalable(const model::RotorKit& kit, const std::string& name);
 
 /// Makes a known kit from kits whose unknown numbers were drawn. Each keeps the modes up to most_order times
-/// the speed and one more, unless the kit fixes the number itself. Throws ConfigError, beginning with `name`,
-/// like refuse_unscalable, and where a kit has no damping or cannot be computed at this speed.
+/// the speed and one more, unless the kit itself gives the number of modes. Throws ConfigError, beginning
+/// with `name`, like refuse_unscalable, and where a kit has no damping or cannot be computed at this speed.
 KnownKit known_kit(std::vector<model::RotorKit> drawn, double speed_hz, const std::string& name);
 
-/// The kit with all natural frequencies multiplied by one factor, by way of its stiffnesses, and all damping
-/// by another. Bearings given by tables and matrices stay as they are.
+/// The kit with all natural frequencies multiplied by one factor (through its stiffnesses), and all damping
+/// by another. Bearings given by tables and matrices stay unchanged.
 model::RotorKit varied_kit(const model::RotorKit& kit, double frequency_factor, double damping_factor);
 
 /// Kits whose frequencies and damping are uniformly distributed within these shares about those of `kit`.
@@ -43,7 +43,7 @@ std::vector<model::RotorKit> varied_kits(const model::RotorKit& kit, double freq
 /// The kit at a share in [0, 1] of the list of likely kits.
 const model::RotorKit& likely_kit(const KnownKit& kit, double share);
 
-/// Position of a stop that was drawn at `position_m`: the same, or the nearest node in a kit of matrices.
+/// Position of a stop that was drawn at `position_m`: unchanged, or the nearest node in a kit of matrices.
 double place_of_stop(const KnownKit& kit, double position_m);
 
 }  // namespace rubsweep::diagnose

@@ -35,9 +35,9 @@ Eigen::VectorXcd waveform_of(const MotionLines& lines, int samples_per_turn,
 /// Root mean square of the motion about its mean, m.
 double size_of(const MotionLines& lines);
 
-/// Largest amplitudes, as shares of the motion's size (root mean square about its mean), of lines that no rub
-/// caused but unequal supports, couplings or remaining run-out. Each share is drawn uniformly in its
-/// logarithm from `smallest_share` on, and each phase uniformly.
+/// Largest amplitudes of lines that come from unequal supports, couplings or remaining run-out instead of a
+/// rub, as shares of the motion's size (root mean square about its mean). Each share is drawn uniformly in
+/// its logarithm from `smallest_share` on, and each phase uniformly.
 struct OtherLines {
   double backward_1x = 0.2, order_2 = 0.1, order_3 = 0.03;
   static constexpr double smallest_share = 1e-3;
@@ -57,7 +57,7 @@ struct Measuring {
   /// Whether the machine is anisotropic and the directions of the probes are known.
   bool directions = false;
   double probe_angle_rad = 0;  ///< direction of a single probe where it is known, from +x to +y
-  bool from_rest = false;      ///< readings count from the rest position of the rotor
+  bool from_rest = false;      ///< whether readings are measured from the rest position of the rotor
   Spread noise_share{1e-3, 3e-2,
                      true};  ///< white noise of every reading, standard deviation / size of the motion
   OtherLines other_lines{};  ///< run-out and the like: lines at 1X, 2X, 3X

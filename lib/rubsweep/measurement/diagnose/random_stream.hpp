@@ -16,9 +16,9 @@ enum DrawPurpose : std::uint64_t {
   of_half
 };
 
-/// Random numbers that depend on three numbers alone, so that any thread can make any stream: a seed, the
-/// index of the drawn object, and the purpose, which separates streams of the same index. The generator is
-/// SplitMix64 (Steele, Lea, Flood 2014), started from a mixture of the three numbers.
+/// Random numbers that depend on three numbers alone: a seed, the index of the drawn object, and the purpose,
+/// which separates streams of the same index. So any thread can make any stream. The generator is SplitMix64
+/// (Steele, Lea, Flood 2014), started from a mixture of the three numbers.
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::uint64_t index, std::uint64_t purpose);

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int samples_of_a_turn = 32;
 
-/// A kit with a fixed number of modes is not checked for whether they suffice: the check would take most of
-/// the time of a short run.
+/// Whether a fixed number of modes of a kit suffices is not checked: that would take most of the time of a
+/// short run.
 scene::Cell cell_of(const model::Machine& machine, double speed_hz, const scene::Unbalance& unbalance) {
   const model::RotorKit* kit = model::kit_of(machine);
   if (!kit || !kit->modes) return scene::build_cell(machine, speed_hz, unbalance);
@@ -28,7 +28,7 @@ scene::Cell cell_of(const model::Machine& machine, double speed_hz, const scene:
 
 std::optional<LastingMotion> record(const scene::Cell& cell, const response::motion::Settling& settling,
                                     int turns, response::spectrum::SpectrumWorkspace& workspace) {
-  // Every machine is different, so a cache shared by all of them would only grow.
+  // The machine occurs only once, so a cache shared by all machines would only grow.
   integrate::exact::modes::ModeCache modes;
   const auto motion = response::motion::record_settled(
       cell.scene, {}, modes,
@@ -103,7 +103,7 @@ std::optional<SimulatedMotion> simulate_motion(const model::Machine& machine, do
                          .eccentricity_m = cell.eccentricity_m,
                          .whirl_ratio = cell.whirl_ratio,
                          .kicked = !cell.scene.pulses.empty()};
-  // The clock returns to revolution 0, where the pulses would act again.
+  // The run goes on from revolution 0, where the pulses would act again.
   cell.scene.pulses.clear();
   const bool touches = response::motion::row_of(settled.motion.motion_class).rubs;
   const int waiting = turns_after_verdict(std::get<model::JeffcottRotor>(machine.rotor), speed_hz, touches);

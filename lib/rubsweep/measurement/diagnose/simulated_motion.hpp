@@ -17,19 +17,19 @@ namespace rubsweep::diagnose {
 /// its envelope is exp(-damping_ratio * natural angular frequency * time). At most a million.
 int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz, double left);
 
-/// Turns without contact after which a motion counts as quiet whirling again.
+/// Number of turns without contact after which a motion counts as quiet whirl.
 inline constexpr int turns_in_flight = 30;
 
-/// Turns between the kick and the recording. In them the free vibration of a Jeffcott rotor decays to 1/200,
-/// unless that takes longer than `most_turns_before_recording`. A rotor kit waits about as long as most
-/// Jeffcott rotors.
+/// Turns between the kick and the recording. During these turns the free vibration of a Jeffcott rotor decays
+/// to 1/200, unless this takes longer than `most_turns_before_recording`. For a rotor kit their number is
+/// about that of most Jeffcott rotors.
 inline constexpr int fewest_turns_before_recording = 120, most_turns_before_recording = 400,
                      kit_turns_before_recording = 200;
 int turns_before_recording(const model::Machine& machine, double speed_hz);
 
 inline constexpr double most_order = 8;  ///< highest order of the lines used
 
-/// A motion after a kick, without a verdict: several times cheaper than SimulatedMotion.
+/// A motion after a kick that is not classified, and therefore several times cheaper than SimulatedMotion.
 struct LastingMotion {
   MotionLines lines{};                       ///< lines up to most_order
   response::motion::ContactFacts contact{};  ///< facts over the recorded turns
@@ -49,10 +49,11 @@ std::optional<LastingMotion> motion_without_contact(const model::Machine& machin
 
 inline constexpr int samples_per_revolution = 128;
 
-/// Limits for the number of turns between the verdict on a motion and its recording; between these limits it
-/// is the number after which the free vibration has decayed to 1e-5. At the verdict this vibration may be ten
-/// times the quiet whirl, and a thousandth of it would appear as a line of its own in a recording. Motions
-/// that touch a stop wait for `most_turns_touching` at most, because contacts damp them, too.
+/// Limits for the number of turns between the classification of a motion and its recording. Between these
+/// limits it is the number after which the free vibration has decayed to 1e-5. At the classification this
+/// vibration may be ten times the quiet whirl, and a thousandth of it would appear as a separate line in a
+/// recording. Motions that touch a stop wait for `most_turns_touching` turns at most, because contacts also
+/// damp the vibration.
 inline constexpr int fewest_turns_after_verdict = 40, most_turns_after_verdict = 2000,
                      most_turns_touching = 150;
 
@@ -65,8 +66,9 @@ struct SimulatedMotion {
   std::optional<response::motion::Proof> proof{};
   response::motion::ContactFacts contact{};  ///< facts over the recorded turns
   double eccentricity_m = 0, whirl_ratio = 0;
-  bool kicked = false;  ///< false: it started at rest, as its quiet whirl touches a stop, or it has no kick
-  bool rubs = false;    ///< touched a stop in the recorded turns
+  /// false: the motion started at rest, because the quiet whirl touches a stop, or there is no kick
+  bool kicked = false;
+  bool rubs = false;  ///< touched a stop in the recorded turns
 };
 
 /// Runs a machine with a Jeffcott rotor from its start until its motion is classified, goes on until the free

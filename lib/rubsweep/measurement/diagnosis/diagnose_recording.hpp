@@ -19,8 +19,7 @@
 
 namespace rubsweep::diagnosis {
 
-/// Limits of the number of compared turns. In 30 turns, or 12, many fractions of the speed have whole
-/// periods.
+/// Limits of the number of compared turns. 12 and 30 turns hold whole periods of many fractions of the speed.
 inline constexpr int most_turns = 30, fewest_turns = 12;
 
 /// A recording, and the problem that defines the motions it is compared with.
@@ -28,7 +27,7 @@ struct RecordedProblem {
   recording::Recording recording{};
   diagnose::inference::DiagnosisProblem problem{};
   std::vector<std::string> remarks{};  ///< sources of intervals that do not come from the file
-  std::string text{};                  ///< text of the machine's files as they were read
+  std::string text{};                  ///< text of the machine's files as they were when read
 };
 
 /// Input of a diagnosis beside the recording.
@@ -51,7 +50,7 @@ RecordedProblem recorded_problem(DiagnosedMachine machine, recording::Recording 
 struct DiagnosisEffort {
   int motions = 600;                     ///< motions drawn from the priors, per candidate
   int rounds = 3;                        ///< most rounds with draws near motions that resemble the recording
-  int threads = 0;                       ///< 0: all processors; decides no result
+  int threads = 0;                       ///< 0: all processors; does not change the result
   const std::atomic<bool>* stop{};       ///< true: no new draw begins
   std::filesystem::path kept_motions{};  ///< directory that keeps motions between calls; empty: none
   std::function<void(std::size_t done, std::size_t all)> on_motions{};  ///< progress; one call at a time
@@ -65,11 +64,11 @@ std::optional<diagnose::inference::CaseSet> kept_motions(const RecordedProblem& 
 diagnose::inference::CaseSet simulated_motions(const RecordedProblem& recorded,
                                                const DiagnosisEffort& effort);
 
-/// Lines of the last turns of the recording, with which motions are compared.
+/// Lines of the last turns of the recording; the simulated motions are compared with them.
 diagnose::MotionLines lines_of(const RecordedProblem& recorded);
 
-/// Compares the motions with the recording. Empty where it was stopped before there were enough motions for
-/// an answer.
+/// Compares the motions with the recording. Empty where the diagnosis was stopped before there were enough
+/// motions.
 std::optional<diagnose::answer::Answer> answer_of(const RecordedProblem& recorded, const std::string& name,
                                                   diagnose::inference::CaseSet motions,
                                                   const DiagnosisEffort& effort);

@@ -24,10 +24,10 @@ constexpr double frequency_share = 0.01, damping_share = 0.2;
 /// Number of kits that represent all likely ones.
 constexpr std::size_t likely_kits = 60;
 
-/// Relative margin on both sides of the fitted unbalance, which may differ from run to run.
+/// Relative margin on both sides of the fitted unbalance, because the unbalance may change from run to run.
 constexpr double unbalance_share = 0.25;
 
-/// Interval of the fit, or one of relative half width `share` about the value.
+/// Interval of the fit if there is one; otherwise the value plus and minus the share `share` of it.
 diagnose::Spread interval_of(const Fitted& fitted, const std::string& key, double value, double share,
                              std::vector<std::string>& remarks) {
   const auto interval = fitted ? diagnose::interval_of(*fitted, key) : std::nullopt;

@@ -15,16 +15,17 @@ namespace rubsweep::diagnosis {
 struct DiagnosedMachine {
   diagnose::FixedNumbers fixed{};
   diagnose::Spread natural_frequency_hz{}, damping_ratio{};  ///< intervals of a Jeffcott rotor
-  std::optional<diagnose::Spread> eccentricity_m{};          ///< unbalance, if it was fitted
-  std::vector<std::string> remarks{};                        ///< sources of intervals other than the file
-  std::string text{};                                        ///< text of all files as they were read
-  std::vector<model::RotorKit> kits{};                       ///< rotor kits with their unknown numbers drawn
+  /// sources of intervals that do not come from the configuration
+  std::optional<diagnose::Spread> eccentricity_m{};
+  std::vector<std::string> remarks{};   ///< sources of intervals other than the file
+  std::string text{};                   ///< text of all files as they were read
+  std::vector<model::RotorKit> kits{};  ///< rotor kits whose unknown numbers were drawn
 };
 
-/// Reads the configuration of a machine and the intervals that rubfit left beside it in parameters.csv and
-/// correlation.csv. Without these files the intervals are 1 % of the natural frequencies and 20 % of the
-/// damping. Rotor kits are drawn from the intervals with `seed`. Throws ConfigError where a Jeffcott rotor
-/// has no damping, gravity acts, or diagnose::refuse_unscalable refuses a kit, and IoError.
+/// Reads the configuration of a machine, and the intervals in parameters.csv and correlation.csv that rubfit
+/// wrote into the same directory. Without these files the intervals are 1 % of the natural frequencies and 20
+/// % of the damping. Rotor kits are drawn from the intervals with `seed`. Throws ConfigError where a Jeffcott
+/// rotor has no damping, where gravity acts, or where diagnose::refuse_unscalable refuses a kit, and IoError.
 DiagnosedMachine read_diagnosed_machine(const std::filesystem::path& file, std::uint64_t seed);
 
 /// Makes the known kit from the drawn kits at the speed of the recording; does nothing for a Jeffcott rotor.

@@ -12,7 +12,7 @@
 namespace rubsweep::fit {
 namespace {
 
-/// Sum of squares at these values; infinite where they are impossible.
+/// Sum of squares at these parameter values; infinite where the values are impossible.
 double left_at(const LeastSquares& squares, const Eigen::VectorXd& values) {
   try {
     return squares.residuals(values).squaredNorm();
@@ -28,9 +28,9 @@ bool has_rubs(const MachineFit& problem) {
       problem.data, [](const MeasuredData& data) { return std::holds_alternative<RubLines>(data.data); });
 }
 
-/// Tries each angle at 24 places of a turn within its bounds and keeps the one with the smallest sum of
+/// Tries each angle at 24 places of a turn within its bounds and keeps the place with the smallest sum of
 /// squares; goes through the angles twice. A descent that starts a quarter turn off may end in a wrong
-/// minimum. For orbits of rubs only the angle of the mark is moved that far: other angles change the motion.
+/// minimum. With orbits of rubs, only the angle of the mark is tried: other angles change the motion.
 void turn_angles(const MachineFit& problem, const LeastSquares& squares, Eigen::VectorXd& start) {
   constexpr int rounds = 2, places = 24;
   constexpr double turn_deg = 360;
@@ -108,7 +108,7 @@ void find_hit(const MachineFit& problem, LeastSquares squares, const LeastSquare
   for (const std::size_t descents : {8u, 3u}) {
     std::vector<double> places = places_of_hit(problem, squares, start, hit);
     if (has_rubs(problem)) {
-      // A rub must be followed in small steps: descents from distant points would lose it.
+      // A rub must be followed in small steps: descents from distant points would not find it again.
       if (places.empty()) return;
       Eigen::VectorXd moved = start;
       moved(hit) = places.front();

@@ -20,7 +20,7 @@ bool is_stopped(const LeastSquaresOptions& options) {
 }
 
 /// Residuals and derivatives at one point, computed once for all residuals. After a stop nothing more is
-/// evaluated, and the solver gets zero derivatives, with which it ends normally.
+/// evaluated: the solver gets zero derivatives, which end it normally.
 class Evaluation : public ceres::EvaluationCallback {
  public:
   Evaluation(const LeastSquares& problem, const LeastSquaresOptions& options)
@@ -45,7 +45,7 @@ class Evaluation : public ceres::EvaluationCallback {
   }
 
   bool possible() const { return possible_; }
-  /// Whether the derivatives are real ones; false after a stop, when they are zero.
+  /// Whether the derivatives were computed; false after a stop, when they are zero.
   bool whole() const { return whole_; }
   const Eigen::VectorXd& residuals() const { return residuals_; }
   /// Derivatives with respect to the parameters in units of their scales.

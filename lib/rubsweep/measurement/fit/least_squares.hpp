@@ -19,7 +19,7 @@ struct Parameter {
 
 struct LeastSquares {
   std::vector<Parameter> parameters;
-  /// Residuals at these values of the parameters; their number never changes. May throw ConfigError or
+  /// Residuals at these parameter values; their number never changes. The function may throw ConfigError or
   /// SolverError: the values then count as impossible. Several threads may call it at once.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> residuals;
   /// Called with the values at the start and after each step of a descent, never at the same time as
@@ -28,18 +28,19 @@ struct LeastSquares {
 };
 
 struct LeastSquaresOptions {
-  /// Residuals larger than this many root mean squares of the first fit count linearly instead of by their
-  /// squares (Huber); 0: all count by their squares.
+  /// Residuals larger than this many root mean squares of the first fit enter the sum linearly instead of by
+  /// their squares (Huber). 0: all enter by their squares.
   double robust_beyond = 0;
-  int starts = 1;            ///< further starts are drawn between the bounds, the same in every run
+  /// number of starts; all but the first are drawn between the bounds, the same in every run
+  int starts = 1;
   int most_iterations = 60;  ///< limit for each start
   std::function<void(int start, int iteration, double cost)> on_iteration{};
-  /// When true, the best result so far is returned without waiting for unfinished derivatives; without values
-  /// where there is none yet.
+  /// When true, the best result so far is returned without waiting for unfinished derivatives. The result has
+  /// no values if there is none yet.
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Minimum of half the sum of squares, and what the data tell near it.
+/// Minimum of half the sum of squares, with the derivatives there.
 struct LeastSquaresFit {
   Eigen::VectorXd value, residuals;
   double cost = 0;

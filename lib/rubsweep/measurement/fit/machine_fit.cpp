@@ -37,7 +37,7 @@ double rough_noise_m(const MeasuredData& data) {
   return std::max(0.01 * std::sqrt((measured.array() - mean).square().mean() + mean * mean * 1e-6), 1e-300);
 }
 
-/// Refuses a rate as a parameter for ramps with knots: their speed does not change at a single rate.
+/// Refuses a rate as a parameter for ramps with knots: their speed does not change at one single rate.
 void refuse_rate_of_uneven_ramps(const MachineFit& problem) {
   if (std::ranges::find(problem.parameters, rate_name, &Parameter::name) == problem.parameters.end()) return;
   for (const MeasuredData& data : problem.data) {
@@ -48,7 +48,7 @@ void refuse_rate_of_uneven_ramps(const MachineFit& problem) {
   }
 }
 
-/// Makes the rubs at these values the starting points for finding rubs at later values.
+/// Makes the rubs at these parameter values the starting points for the rubs at later values.
 void follow_rubs(const MachineFit& problem, const Eigen::VectorXd& values) {
   if (!problem.follow_rub) return;
   for (const MeasuredData& data : problem.data)
@@ -75,7 +75,7 @@ void open_whole_turns(LeastSquares& squares) {
   }
 }
 
-/// Brings such angles back between their bounds.
+/// Brings the angles of open_whole_turns back between their bounds.
 void close_whole_turns(const MachineFit& problem, LeastSquaresFit& fit) {
   constexpr double turn_deg = 360;
   for (Eigen::Index i = 0; i < fit.value.size(); ++i) {
@@ -99,8 +99,8 @@ std::vector<DataResidual> parts_of(const MachineFit& problem, const std::vector<
   return parts;
 }
 
-/// Rows of the run-ups' residuals: an error of a mark rotates all 1X values of an instant and, by smoothing,
-/// those of its neighbours.
+/// Rows of the run-ups' residuals by instant. Rows are correlated: an error of a mark rotates all 1X values
+/// of an instant and, through smoothing, those of neighbouring instants.
 std::vector<RowsInTime> rows_in_time(const MachineFit& problem, const MachineFitResult& result) {
   std::vector<RowsInTime> found;
   for (std::size_t i = 0; i < problem.data.size(); ++i)
@@ -141,7 +141,7 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
   for (const MeasuredData& data : problem.data) noise_m.push_back(rough_noise_m(data));
   LastRamps ramps(problem);
   Eigen::VectorXd start = start_of(problem);
-  // Errors of the first values are thrown here: a descent would only count the values as impossible.
+  // Errors at the first values are thrown here, because a descent would only take these values as impossible.
   follow_rubs(problem, start);
   residuals_of(problem, noise_m, start, ramps);
   LeastSquares squares{

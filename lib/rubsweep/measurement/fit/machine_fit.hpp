@@ -14,7 +14,8 @@ struct DataResidual {
   std::string name;
   int begin = 0, count = 0;  ///< position among all residuals
   int eliminated = 0;        ///< number of offsets and scales that were eliminated at every step
-  double noise_m = 0;        ///< root mean square of the file's residuals, by which they were divided
+  /// root mean square of the file's residuals before their division by this number
+  double noise_m = 0;
 };
 
 struct MachineFitResult {
@@ -26,8 +27,8 @@ struct MachineFitResult {
 
 /// Fits the parameters to all data together. Each file is weighted by its own noise, which is estimated from
 /// a first fit. Three kinds of numbers are eliminated at every step: offsets of ring-downs, their common
-/// scale (the strength of the hit is unknown), and run-out where asked for. Throws ConfigError for data that
-/// do not suit the machine or the parameters, and for forbidden first values. The result has no values if the
+/// scale (the strength of the hit is unknown), and run-out if requested. Throws ConfigError for data that do
+/// not suit the machine or the parameters, and for forbidden first values. The result has no values if the
 /// fit was stopped before it found any.
 MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOptions& options);
 

@@ -56,8 +56,8 @@ Eigen::MatrixXcd matrix_of(const std::vector<std::vector<Complex>>& rows) {
   return matrix;
 }
 
-/// Converts phases from one convention to another; one of the two must be `mark`, whose phases are those of A
-/// in Re(A e^{i phi}).
+/// Converts phases from one convention to another. One of the two must be `mark`, whose phases are the angles
+/// of A in Re(A e^{i phi}).
 void recount(PhaseConvention from, PhaseConvention to, const std::vector<double>& angle_deg,
              Eigen::MatrixXcd& phasor_m) {
   if (from == PhaseConvention::lag || to == PhaseConvention::lag) phasor_m = phasor_m.conjugate().eval();

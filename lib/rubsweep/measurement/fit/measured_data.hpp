@@ -9,8 +9,8 @@
 
 namespace rubsweep::fit {
 
-/// Shaft angle phi = 2 pi (from_hz t + rate_hz_per_s t^2 / 2). For a speed that changes unevenly: straight
-/// lines between speeds at ascending instants, the first and the last line being extended.
+/// Shaft angle phi = 2 pi (from_hz t + rate_hz_per_s t^2 / 2). With knots, the speed is piecewise linear
+/// between speeds at ascending instants; the first and the last line are extended.
 struct Ramp {
   double from_hz = 0;
   double rate_hz_per_s = 0;
@@ -20,8 +20,8 @@ struct Ramp {
 };
 double speed_hz(const Ramp& ramp, double t_s);
 
-/// Speed and angle of the shaft as functions of time, in radians; the angle is 0 at t = 0, or at the first
-/// knot.
+/// Speed and angle of the shaft as functions of time, in rad/s and radians; the angle is 0 at t = 0, or at
+/// the first knot.
 class RampTurning {
  public:
   explicit RampTurning(const Ramp& ramp);
@@ -29,7 +29,7 @@ class RampTurning {
   double speed(double t_s) const;  ///< rad/s
   double gain(double t_s) const;   ///< rate of change of the speed, rad/s^2
   double angle(double t_s) const;
-  double most_gain() const { return most_gain_; }  ///< largest magnitude of the rate, rad/s^2
+  double most_gain() const { return most_gain_; }  ///< largest magnitude of `gain`, rad/s^2
 
   /// Lowest and highest speed between two instants; each occurs at an end or at a knot.
   std::pair<double, double> speeds_between(double from_s, double to_s) const;
@@ -64,8 +64,8 @@ struct Steady {
   Eigen::MatrixXcd phasor_m;
 };
 
-/// Lines of the full spectrum of a rub that repeats after whole turns: x + iy is the sum of L e^{i order phi}
-/// over its lines L, phi = 0 at the mark.
+/// Lines of the full spectrum of a rub that repeats after whole turns. x + iy is the sum of L e^{i order phi}
+/// over the lines L; phi = 0 at the mark.
 struct RubLines {
   double speed_hz = 0;
   int turns = 1;              ///< period in turns
@@ -85,15 +85,15 @@ struct MeasuredData {
 /// and ConfigError for fewer than 8 rows.
 RingDown read_ring_down(const std::filesystem::path& file, double from_s);
 
-/// Reads bode.csv of rubscope: t_s, speed_hz, order, x_amplitude_m, x_phase_deg and perhaps y. Of order 1
-/// every second row is used, since each row is the mean of two turns. The ramp comes from measured_ramp.
-/// Throws ConfigError where times do not ascend.
+/// Reads bode.csv of rubscope: t_s, speed_hz, order, x_amplitude_m, x_phase_deg and, with two probes, y.
+/// Every second row of order 1 is used, because each row is the mean of two turns. The ramp comes from
+/// measured_ramp. Throws ConfigError where times do not ascend.
 RunUp read_run_up(const std::filesystem::path& file);
 
-/// Meaning of a table's phases, in degrees. `sensor`: from the instant when the mark passes each sensor,
-/// negative where the displacement lags (bode.csv of rubtrace). `mark`: the same from the single instant of
-/// the mark (bode.csv of rubscope). `lag`: lag of the positive peak behind the single mark, as instruments
-/// show it.
+/// Meaning of a table's phases, in degrees. `sensor`: from the instant when the mark passes the sensor
+/// itself, negative where the displacement lags (bode.csv of rubtrace). `mark`: the same, from the single
+/// instant of the mark (bode.csv of rubscope). `lag`: lag of the positive peak behind the single mark, as
+/// instruments show it.
 enum class PhaseConvention { sensor, mark, lag };
 
 /// Reads a table of speed_hz, sensor_0_amplitude_m, sensor_0_phase_deg, ...; `angle_deg`: directions of the
@@ -104,7 +104,7 @@ Steady read_steady(const std::filesystem::path& file, const std::vector<double>&
 /// Whether the phases of these data come from a table, so that their convention has to be given.
 bool has_phases_of_a_table(const MeasuredData& data);
 
-/// Changes the phases of such data from the convention in which they were read to another one.
+/// Converts the phases of such data from the convention in which they were read to another convention.
 void take_phases_as(PhaseConvention other, PhaseConvention read_as, const std::vector<double>& angle_deg,
                     MeasuredData& data);
 
@@ -113,7 +113,7 @@ void take_phases_as(PhaseConvention other, PhaseConvention read_as, const std::v
 /// ConfigError for a motion without a period, or with a period that is not a whole number from 1 to 64.
 RubLines read_rub(const std::filesystem::path& directory);
 
-/// Run-up through the same speeds at this rate; each value is a mean over `window_turns` turns.
+/// Run-up through the same speeds at this rate; each of its values is a mean over `window_turns` turns.
 RunUp as_run_up(const Steady& steady, double rate_hz_per_s, double window_turns);
 
 }  // namespace rubsweep::fit

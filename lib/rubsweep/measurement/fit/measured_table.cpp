@@ -53,8 +53,9 @@ Chebyshev chebyshev(const std::vector<double>& t_s, Eigen::Index degree) {
   return basis;
 }
 
-/// Speeds from polynomials fitted to the measured values: of the `least` degree, and of the degree with the
-/// best Schwarz criterion. Its penalty is tripled, because errors of smoothed marks are correlated.
+/// Speeds from two polynomials fitted to the measured values: one of the `least` degree, and one of the
+/// degree with the best Schwarz criterion. The penalty of this criterion is tripled, because errors of
+/// smoothed marks are correlated.
 struct Polynomials {
   Eigen::ArrayXd least_hz, best_hz;
 };
@@ -148,11 +149,12 @@ bool MeasuredTable::read_of_somebody(std::string_view needed) {
   std::vector<std::size_t> places;
   try {
     const std::string bytes = batch::read_input(path_);
-    batch::check_table_text(bytes, path_);  // a damaged table of our own must not be read as a foreign one
+    // a damaged table of the programs' own form must not be read as a foreign table
+    batch::check_table_text(bytes, path_);
     text = table::utf8_of(bytes);
     layout = table::layout_of(text);
   } catch (const table::Fault&) {
-    return false;  // the programs' own reader gives the message instead
+    return false;  // the reader of the programs' own form gives the message instead
   }
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {
     if (layout.columns[i].is_text) continue;

@@ -12,12 +12,12 @@
 
 namespace rubsweep::fit {
 
-/// Rows of numbers from a table. A table of the programs' own is read as strictly as everywhere else. A
-/// foreign table (table/layout.hpp) must have corresponding names and units: "Time [ms]" is t_s, "Speed
-/// (rpm)" is speed_hz, "sensor_0 [um]" is sensor_0_m.
+/// Rows of numbers from a table. A table in the programs' own form is read as strictly as by the other
+/// readers. A foreign table (table/layout.hpp) must have corresponding names and units: "Time [ms]" is t_s,
+/// "Speed (rpm)" is speed_hz, "sensor_0 [um]" is sensor_0_m.
 class MeasuredTable {
  public:
-  /// Opens a table that has the column `needed`. Throws IoError of the program's own reader where neither
+  /// Opens a table that has the column `needed`. Throws the IoError of the programs' own reader where neither
   /// form has this column, and ConfigError with file:line:column for a cell of a foreign table that is not a
   /// number.
   MeasuredTable(const std::filesystem::path& file, std::string_view needed);
@@ -41,10 +41,10 @@ class MeasuredTable {
 };
 
 /// Ramp of a shaft with these speeds at 4 or more ascending instants. Where rows are whole turns apart, as in
-/// rubscope's tables, the instants decide, because they are known better than the speeds. A polynomial is
-/// fitted whose degree the data decide. If its speed is a straight line within 2e-4 the ramp is even;
-/// otherwise its speeds at the rows are the knots. Speeds that deviate from the polynomial by more than 2 %
-/// of their change are followed from row to row.
+/// rubscope's tables, the ramp is computed from the instants, because they are known better than the speeds.
+/// The degree of the fitted polynomial is chosen from the data. If its speed is a straight line within 2e-4,
+/// the ramp has a constant rate; otherwise its speeds at the rows are the knots. Speeds that deviate from the
+/// polynomial by more than 2 % of their change are taken from row to row.
 Ramp measured_ramp(const std::vector<double>& t_s, const std::vector<double>& speed_hz);
 
 }  // namespace rubsweep::fit

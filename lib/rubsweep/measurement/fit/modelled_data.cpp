@@ -53,8 +53,8 @@ Eigen::VectorXd with_run_out(const Eigen::MatrixXcd& measured, Eigen::MatrixXcd 
   return stacked(model);
 }
 
-/// Lines of a rub rotated to the measured mark. A period of several turns may begin at any of its turns; the
-/// one with the smallest residual is taken.
+/// Lines of a rub, rotated to the measured mark. A period of several turns may begin at any of these turns;
+/// the turn with the smallest residual is taken.
 Eigen::VectorXd with_first_turn(const RubLines& rub, const Eigen::VectorXcd& lines_m, double mark_rad) {
   Eigen::VectorXcd best;
   for (int turn = 0; turn < rub.turns; ++turn) {

@@ -25,15 +25,15 @@ inline constexpr const char* rate_name = "rate_hz_per_s";  ///< rate of run-ups,
 struct MachineFit {
   std::vector<Parameter> parameters;  ///< keys of the configuration, or names from above
   std::vector<MeasuredData> data;
-  double eccentricity_m = 0, mark_deg = 0, hit_s = 0;  ///< values of those names that are not parameters
-  /// Machine for values of the parameters that are configuration keys, in their order; values of other names
-  /// are left out. Throws ConfigError for forbidden values.
+  double eccentricity_m = 0, mark_deg = 0, hit_s = 0;  ///< values of the names above that are not parameters
+  /// Machine for these values of the parameters that are keys of the configuration, in their order (other
+  /// parameters have no value here). Throws ConfigError for forbidden values.
   std::function<scene::PreparedMachine(const Eigen::VectorXd&)> machine;
-  /// Lines of the asked orders for a machine that rubs with an eccentricity in metres, phi = 0 where its mark
-  /// points along +x; needed with RubLines. Throws like `machine`.
+  /// Spectral lines of the requested orders for a machine that rubs, with an eccentricity in metres; phi = 0
+  /// where its mark points along +x. Needed with RubLines. Throws like `machine`.
   std::function<Eigen::VectorXcd(const scene::PreparedMachine&, const RubLines&, double)> rub_lines{};
-  /// Called with the machines that the fit passes through, one after another; the rubs of later machines are
-  /// found from theirs. May be empty.
+  /// Called with each machine that the fit passes through; the search for rubs of later machines starts from
+  /// the rubs of this one. May be empty.
   std::function<void(const scene::PreparedMachine&, const RubLines&, double)> follow_rub{};
 };
 
@@ -42,17 +42,17 @@ double value_named(const MachineFit& problem, const Eigen::VectorXd& values, con
                    double otherwise);
 
 /// Prepares the machine of one step of the fit like scene::prepare_machine, but reduces a rotor kit to as
-/// many modes as `first`, the machine at the start: a mode number that jumps would make the residuals
+/// many modes as `first`, the machine at the start. A change of the number of modes would make the residuals
 /// discontinuous. Throws ConfigError like prepare_machine.
 scene::PreparedMachine prepare_again(const model::Machine& machine, const scene::PreparedMachine& first);
 
-/// Recently computed ramps. Ramps that differ only in eccentricity or mark angle differ by a factor, so they
+/// Recently computed ramps. Ramps that differ only in eccentricity or mark angle are proportional, so they
 /// share one entry. Several threads may use it.
 class LastRamps {
  public:
   explicit LastRamps(const MachineFit& problem) : known_(4 * problem.data.size()) {}
 
-  /// Ramp for `values` of the problem's parameters; calls `make` where it is not stored.
+  /// Ramp for these `values` of the problem's parameters; calls `make` where it is not stored.
   RampParts of(const MachineFit& problem, const RunUp& run, Eigen::VectorXd values,
                const std::function<RampParts()>& make);
 
@@ -66,11 +66,11 @@ class LastRamps {
   numerics::RecentlyUsed<Known> known_;
 };
 
-/// Numbers of a file in the order of the residuals: readings, or real and imaginary parts.
+/// Measured numbers of a file in the order of the residuals: readings, or real and imaginary parts.
 Eigen::VectorXd measured_of(const MeasuredData& data);
 
-/// The corresponding numbers of the model; `machine` was made from `values`. Throws ConfigError where the
-/// data have more sensors than the machine.
+/// Numbers of the model that correspond to measured_of; `machine` was made from `values`. Throws ConfigError
+/// where the data have more sensors than the machine.
 Eigen::VectorXd modelled_of(const MachineFit& problem, const MeasuredData& data,
                             const scene::PreparedMachine& machine, const Eigen::VectorXd& values,
                             LastRamps& ramps);

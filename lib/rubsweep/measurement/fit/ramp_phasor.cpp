@@ -23,8 +23,8 @@ using Complex = std::complex<double>;
 constexpr std::array<double, 5> places{-1, -0.5, 0, 0.5, 1};
 constexpr auto degrees = static_cast<Eigen::Index>(places.size());
 
-/// Weights that turn values at `places` into means over a window of some turns: the mean of the values, and
-/// the mean of the values times e^{-2i phi}, phi = 0 in the middle.
+/// Weights that turn values at `places` into two means over a window of some turns: the mean of the values,
+/// and the mean of the values times e^{-2i phi}. phi = 0 in the middle of the window.
 struct WindowWeights {
   Eigen::RowVectorXd mean;
   Eigen::RowVectorXcd mirrored;
@@ -108,8 +108,8 @@ class Ramped {
     return {unbalance_(k) * Complex(w * w, -gain(t)), bow_(k)};
   }
 
-  /// Response of a mode that follows the speed: a = -c / m - (c / m)' / m, with the force c and m = value - i
-  /// W.
+  /// Response of a mode that follows the speed quasi-statically: a = -c / m - (c / m)' / m, with the force c
+  /// and m = value - i W.
   Both following(Eigen::Index k, double t) const {
     const Complex m = modes_->values(k) - Complex(0, speed(t)), m_rate(0, -gain(t));
     const Both c = push(k, t), c_rate(unbalance_(k) * 2.0 * speed(t) * gain(t), 0);
@@ -122,8 +122,8 @@ class Ramped {
     bow_ = modes_->force(bow_n_);
     follows_.assign(static_cast<std::size_t>(modes_->values.size()), true);
     for (Eigen::Index k = 0; k < modes_->values.size(); ++k) {
-      // Smallest distance between the mode's eigenvalue and i W over the stretch, or over all speeds without
-      // stretches.
+      // Smallest distance between the mode's eigenvalue and i W over the stretch; without stretches, over all
+      // speeds.
       const Complex value = modes_->values(k);
       double nearest = std::abs(value.real());
       if (std::isfinite(stretch_s_)) {
@@ -195,7 +195,8 @@ ModeSet modes_at(const scene::PreparedMachine& prepared, double speed_rad_per_s)
   const structure::LinearSystem system = structure::system_at(prepared.assembly, speed_rad_per_s);
   const Eigen::Index n = system.coordinates();
   const Eigen::PartialPivLU<Eigen::MatrixXd> mass(system.mass);
-  // Rates are in units of a typical frequency, so that both halves of a state have similar size.
+  // Rates are in units of a typical frequency, so that the displacements and rates of a state have similar
+  // size.
   const double typical = std::sqrt(mass.solve(system.stiffness).norm());
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   generator.topRightCorner(n, n) = typical * Eigen::MatrixXd::Identity(n, n);

@@ -20,7 +20,7 @@ namespace {
 
 /// Fewest instants from which a correlation can be estimated.
 constexpr Eigen::Index fewest_instants = 24;
-/// Squared singular values below this share of the largest are only rounding.
+/// Squared singular values below this share of the largest one are only rounding.
 constexpr double noise_rounding = 1e-6;
 constexpr Eigen::Index shortest_block = 4, fewest_blocks = 10;
 
@@ -35,8 +35,8 @@ double neighbours_correlation(const Eigen::VectorXd& residuals, const RowsInTime
   return square > 0 ? product / square : 0;
 }
 
-/// Sums over blocks. `moved`: squared changes of the fit when a block is left out. `share` and
-/// `share_squared`: sums, for white noise, of each block's share of the variance and of its square.
+/// Sums over blocks. `moved`: squared changes of the fit when a block is left out. `share`: each block's
+/// share of the variance, for white noise, summed; `share_squared`: the sum of the squares of these shares.
 struct BlockSums {
   Eigen::VectorXd moved, share, share_squared;
 };
@@ -116,7 +116,7 @@ std::vector<std::string> untold_combinations(const Uncertainty& uncertainty,
   std::vector<std::string> sentences;
   for (Eigen::Index i = 0; i < uncertainty.standard_error.size(); ++i) {
     const Parameter& parameter = parameters[static_cast<std::size_t>(i)];
-    // A column of pure rounding has a length, too, so the standard error is compared with the bounds.
+    // A column that is only rounding has a length, too, so the standard error is compared with the bounds.
     if (parameter.high > parameter.low && uncertainty.standard_error(i) > parameter.high - parameter.low)
       sentences.push_back(fmt::format("the data do not tell {}", parameter.name));
   }
@@ -210,7 +210,8 @@ ResidualTest test_residuals(std::span<const double> residuals, double level) {
       test.line = static_cast<double>(k) / static_cast<double>(part.size());
     }
   }
-  // Noise makes one of m lines reach this share with a probability of about m (1 - share)^(m - 1).
+  // Noise alone makes the largest of m lines reach this share with a probability of about m (1 - share)^(m -
+  // 1).
   const auto m = static_cast<double>(lines);
   test.line_stands_out =
       std::log(m) + (m - 1) * std::log1p(-std::min(test.line_share, 1 - 1e-15)) < std::log(level);

@@ -11,7 +11,7 @@
 namespace rubsweep::recording {
 namespace {
 
-/// Size of a unit that measures this; empty for others.
+/// Size of a unit of this quantity; empty for units of other quantities.
 std::optional<double> size_of(table::Quantity quantity, std::string_view name) {
   const auto unit = table::unit_of(name);
   return unit && unit->quantity == quantity ? std::optional(unit->in_si) : std::nullopt;

@@ -17,8 +17,8 @@ namespace rubsweep::recording {
 struct Channel {
   std::string name;            ///< name without its unit
   std::string unit;            ///< unit as written, without brackets; empty: none
-  std::vector<double> values;  ///< NaN where a cell is empty or says NaN: a gap
-  std::size_t number = 0;      ///< column of a text from 1; 0: the place among the channels counts
+  std::vector<double> values;  ///< NaN is a gap: an empty cell or a cell with "NaN"
+  std::size_t number = 0;      ///< column of a text, counted from 1; 0: the position in the list of channels
 
   bool is_empty() const {
     return std::ranges::all_of(values, [](double value) { return std::isnan(value); });
@@ -28,17 +28,19 @@ struct Channel {
 /// Columns of one file: one or more, all of the same length of at least two values.
 struct Channels {
   std::vector<Channel> channels;
-  std::vector<std::size_t> line{};  ///< line number of every row of a text, from 1; empty: not a text
+  /// line number of every row in a text, counted from 1; empty where the file is no text
+  std::vector<std::size_t> line{};
   std::optional<double> sampling_rate_hz{};  ///< rate given by the file; empty: none
-  /// Columns or variables that are not signals: their names, and the reasons, such as "holds text".
+  /// Names of columns or variables that are not signals, with the reasons, such as "holds text".
   struct LeftOut {
     std::string name, why;
   };
   std::vector<LeftOut> left_out{};
-  std::vector<std::string> notes{};  ///< sentences, without a full stop, about parts that were passed over
+  std::vector<std::string> notes{};  ///< sentences, without a full stop, about ignored parts of the file
 
   std::size_t rows() const { return channels.front().values.size(); }
-  /// List of what was left out, such as " ('a' holds text, 'b' is complex)", about one line long at most.
+  /// List of the columns that were left out, such as " ('a' holds text, 'b' is complex)"; at most about one
+  /// line long.
   std::string left_out_text() const {
     constexpr std::size_t most = 6;
     std::string text;

@@ -20,7 +20,8 @@ using table::Fault;
 /// Most numbers of one text.
 constexpr std::size_t most_text_numbers = std::size_t{1} << 28;
 
-/// Seconds since the first stamp; stamps without a date begin again at midnight.
+/// Converts stamps to seconds since the first one. Stamps without a date restart at midnight; a day is then
+/// added.
 void count_from_first(std::vector<double>& stamps_s) {
   constexpr double day_s = 86400;
   const double first_s = stamps_s.front();
@@ -33,7 +34,8 @@ void count_from_first(std::vector<double>& stamps_s) {
   }
 }
 
-/// Unit that a name ends with: behind a comma or a stroke, and the usual ones behind a blank or a line below.
+/// Unit at the end of a name: any unit behind a comma or a slash, usual units also behind a blank or an
+/// underscore.
 std::string unit_in_name(std::string_view name) {
   if (std::string unit = unit_in_ending(name); !unit.empty()) return unit;
   constexpr std::array<std::string_view, 19> usual{
@@ -54,7 +56,7 @@ std::string unit_in_name(std::string_view name) {
   return !tail.empty() && tail != "-" && table::is_unit(tail) ? std::string(tail) : std::string();
 }
 
-/// Columns of numbers, empty as yet, and their places.
+/// Adds an empty channel for each column of numbers; returns the positions of these columns.
 std::vector<std::size_t> begin_channels(const table::Layout& layout, std::size_t lines_before,
                                         Channels& table) {
   std::vector<std::size_t> places;
@@ -93,7 +95,7 @@ void tell_notes(const table::Rows& rows, std::size_t lines_before, Channels& tab
                                     others > 0 ? fmt::format(", as are {} others", others) : ""));
 }
 
-/// Whether each line is a signal: few long ones, and no line of names above them.
+/// Whether signals stand in rows instead of columns: few long lines, without a line of names above them.
 bool lies_in_rows(std::string_view text, const table::Layout& layout) {
   constexpr std::size_t fewest = 16, longer = 4;
   if (layout.names_line > 0 || layout.columns.size() < fewest) return false;

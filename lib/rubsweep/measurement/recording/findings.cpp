@@ -14,8 +14,8 @@ namespace rubsweep::recording {
 namespace {
 
 constexpr std::size_t fewest_equal = 5, fewest_times = 10;
-/// Ratio above which a range end counts as clipped: its number of readings over that of any other value. The
-/// top of a sine in a coarse converter has 2.4 times as many readings as the next value.
+/// The lowest or highest value counts as clipped if it has more than this many times the readings of any
+/// other value. The top of a sine in a coarse converter has 2.4 times as many readings as the next value.
 constexpr std::size_t times_as_often = 5;
 constexpr double largest_change = 0.01;
 constexpr double fewest_readings_of_a_turn = 20;
@@ -48,7 +48,7 @@ Values values_of(std::span<const double> readings) {
   return values;
 }
 
-/// Mean square of a signal in a narrow band about the frequency share x half the sampling rate.
+/// Mean square of a signal in a narrow band; `share`: its frequency divided by half the sampling rate.
 double energy_near(std::span<const double> readings, double share) {
   constexpr std::size_t block = 32;
   double energy = 0;
@@ -71,8 +71,8 @@ double energy_near(std::span<const double> readings, double share) {
   return blocks > 0 ? energy / static_cast<double>(blocks) : 0;
 }
 
-/// Whether a line stands out just below half the sampling rate, where an anti-aliasing filter would remove
-/// everything.
+/// Whether there is a strong line just below half the sampling rate, where an anti-aliasing filter would
+/// remove everything.
 bool vibrates_near_half_the_rate(std::span<const double> readings) {
   constexpr double many_times = 30;
   constexpr std::size_t fewest = 256, enough = 1 << 18;
@@ -82,9 +82,9 @@ bool vibrates_near_half_the_rate(std::span<const double> readings) {
   return energy_near(readings, 0.95) > many_times * middle;
 }
 
-/// Whether readings are clipped at a value. They stay there for long, or return to it again and again while
-/// no other value is `repeated`, and they reach it by more than `step`. A rounded peak that a coarse
-/// converter flattens is reached by a single step.
+/// Whether readings are clipped at a value: they stay there for long, or return to it again and again while
+/// no other value is `repeated`. Clipped readings reach the value by more than `step`; a rounded peak that a
+/// coarse converter flattens is reached by a single step.
 bool is_cut_at(std::span<const double> readings, double value, double step, bool repeated) {
   std::size_t times = 0;
   for (std::size_t k = 1; k < readings.size(); ++k) {
@@ -97,7 +97,8 @@ bool is_cut_at(std::span<const double> readings, double value, double step, bool
   return false;
 }
 
-/// Root mean square by which marks are off the cubic through two neighbours on either side, in intervals.
+/// Root mean square distance of the marks from the cubic through two neighbours on either side, divided by
+/// the interval of marks.
 double off_neighbours(std::span<const double> marks_s) {
   double squares = 0, count = 0;
   for (std::size_t k = 2; k + 2 < marks_s.size(); ++k) {

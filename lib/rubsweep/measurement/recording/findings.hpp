@@ -13,9 +13,9 @@
 namespace rubsweep::recording {
 
 /// Adds the faults of a probe's readings: gaps (NaN) with the place of the first one, a constant signal, and
-/// clipping. A signal is clipped where its extreme value is reached by more than the converter's step and
-/// occurs five times in a row, or is reached ten times and read five times as often as any value in between.
-/// It is also clipped where readings reach `full_scale` with either sign.
+/// clipping. A signal is clipped where it reaches its extreme value by more than the converter's step, and
+/// this value occurs five times in a row. It is also clipped where the extreme value is reached ten times and
+/// read five times as often as any value in between, or where readings reach `full_scale` with either sign.
 void add_findings(const Channel& channel, const Channels& table, std::optional<double> full_scale,
                   std::vector<std::string>& findings);
 
@@ -23,12 +23,13 @@ void add_findings(const Channel& channel, const Channels& table, std::optional<d
 void add_wild_findings(const WildReadings& wild, const Channel& channel, const Channels& table,
                        std::vector<std::string>& findings);
 
-/// Adds what is wrong with the marks of a keyphasor: missing ones, with how well those that are there follow
-/// from their neighbours, and ones too many; and that of many pulses in a turn none is the shaft's own.
+/// Adds the faults of a keyphasor's marks: surplus marks, and missing ones, with the distance of the present
+/// marks from the cubics through their neighbours. With several pulses in a turn, it also adds that none of
+/// them is known to be the shaft's mark.
 void add_mark_findings(const TurnMarks& marks, const Keyphasor& keyphasor,
                        std::vector<std::string>& findings);
 
-/// Adds the faults of the turns: one that differs from the turn before by more than 1 % in length, and a
+/// Adds the faults of the turns: a turn that differs from the turn before by more than 1 % in length, and a
 /// sampling rate below twenty readings per turn, at which orders above the tenth may be aliased.
 void add_speed_findings(std::span<const double> turn_begin_s, double sampling_rate_hz,
                         std::vector<std::string>& findings);

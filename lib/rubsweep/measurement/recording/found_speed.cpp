@@ -92,13 +92,13 @@ std::optional<FoundSpeed> line_near(const std::vector<std::vector<double>>& prob
   FoundSpeed found{.largest_hz = given_hz * (1 + largest_place)};
   if (weights > 0) {
     found.speed_hz = given_hz * (1 + sum / weights);
-    // Lines other than 1X disturb both probes alike, so two probes are as accurate as the better one.
+    // Lines other than 1X disturb both probes alike, so two probes are only as accurate as the better one.
     found.uncertainty_hz = given_hz / std::sqrt(most_weight);
   }
   return found;
 }
 
-/// Speed by the lines of order 2 and 3, where both are there and say the same.
+/// Speed from the lines of order 2 and 3, where both exist and give the same speed.
 std::optional<FoundSpeed> speed_by_harmonics(const std::vector<std::vector<double>>& probes,
                                              double sampling_rate_hz, double given_hz) {
   constexpr double same = 4, rounding = 1e-7;

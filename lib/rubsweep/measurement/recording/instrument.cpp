@@ -35,7 +35,7 @@ constexpr Words<MachineGroup, 4> groups{{"large_rigid", "large_flexible", "mediu
 
 constexpr int most_pulses = 4096;
 
-/// Least angle between two probes, in degrees, as of a simulated pair.
+/// Smallest angle between two probes, in degrees, the same as for simulated probes.
 constexpr double least_angle_deg = 10;
 
 void read_column(yaml::Section& section, std::string_view name, std::string& column) {
@@ -78,7 +78,7 @@ Keyphasor read_keyphasor(const yaml::Value& value) {
   return keyphasor;
 }
 
-/// A name alone, or a map with the unit.
+/// Reads the name of the column, or a map with name and unit.
 SpeedColumn read_speed(const yaml::Value& value) {
   SpeedColumn speed;
   if (value.node.kind != yaml::Node::Kind::map) {

@@ -39,14 +39,14 @@ struct Keyphasor {
   Mark mark = Mark::dark;
   std::optional<double> threshold{};  ///< threshold in the column's unit; empty: middle_threshold
   double hysteresis = 0;              ///< hysteresis in the column's unit, >= 0
-  int pulses_per_turn = 1;            ///< marks that pass in a turn; the first one is the shaft's
+  int pulses_per_turn = 1;            ///< number of marks per turn; the first mark is the shaft's
 };
 
 /// A column of the shaft's speed.
 struct SpeedColumn {
   std::string column;
-  std::optional<std::string> unit{};  ///< instead of what the file says or does not say
-  double factor = 1;                  ///< speed over that of the column
+  std::optional<std::string> unit{};  ///< replaces the unit in the file, or supplies a missing one
+  double factor = 1;                  ///< speed of the shaft / speed in the column
 };
 
 /// Speeds at the two ends of a run-up or coast-down without a mark, known to a quarter.

@@ -53,13 +53,14 @@ std::vector<Segment> segments_of(std::string_view text) {
   return segments;
 }
 
-/// Lines of a head by their keys, up to the names of its signals.
+/// Lines of a header by their keys, up to the names of the signals.
 class Head {
  public:
   explicit Head(std::string_view text)
       : text_(text), separator_(text.find('\t') < text.find(times_name) ? '\t' : ',') {}
 
-  /// The last line that begins with `key`, without it: the head of a file stands above that of its signals.
+  /// Cells behind `key` in the last line that begins with it, because the header of a segment stands below
+  /// that of the file.
   std::vector<std::string_view> cells(std::string_view key) const {
     std::vector<std::string_view> found;
     for (std::string_view rest = text_; !rest.empty();) {
@@ -102,7 +103,7 @@ void shorten(Channels& table, std::size_t rows) {
   table.line.resize(rows);
 }
 
-/// One column of times in the place of equal ones.
+/// Replaces the times of all signals, which must be equal, by one column of times.
 void join_times(Channels& table) {
   std::vector<const Channel*> times;
   for (const Channel& channel : table.channels)
@@ -130,7 +131,7 @@ void join_times(Channels& table) {
                 [&](const Channel& one) { return is_times(one) && std::exchange(kept, true); });
 }
 
-/// Puts times in the place of the empty column, and units to the signals.
+/// Reads one segment: fills the column of times where it is empty, and gives units to the signals.
 Channels read_segment(const Segment& segment) {
   Channels table;
   try {
@@ -170,7 +171,7 @@ Channels read_segment(const Segment& segment) {
   return table;
 }
 
-/// Shift of the times of a segment that brings them behind those before.
+/// Shift to be added to the times of a segment, so that they follow the times of the segments before.
 double shift_of(const std::vector<double>& before, const std::vector<double>& next, const Segment& first,
                 const Segment& segment) {
   if (next.front() > before.back()) return 0;
@@ -207,7 +208,7 @@ Channels read_labview_text(std::string_view text) {
                                     next.channels[k].values.end());
     all.line.insert(all.line.end(), next.line.begin(), next.line.end());
     all.notes.insert(all.notes.end(), next.notes.begin(), next.notes.end());
-    // Between segments time may pass: only the column of times says so.
+    // There may be gaps between segments, so only the column of times gives the clock.
     all.sampling_rate_hz.reset();
   }
   return all;

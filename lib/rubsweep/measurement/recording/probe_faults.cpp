@@ -202,7 +202,7 @@ std::optional<Stretch> still_stretch(std::span<const double> values, std::span<c
     if (end - first > best.count) best = {first, end - first};
   }
   if (best.count < fewest_turns || best.count == ranges.size()) return std::nullopt;
-  // The turns at both ends belong to the stretch partly, so their ends are searched.
+  // Stretches are found in whole turns; the readings around both ends are searched for the exact ends.
   std::size_t first = best.first * turn, end = first + best.count * turn;
   const double level = values[first], least = still_share * usual;
   while (first > 0 && std::abs(values[first - 1] - level) <= least) --first;

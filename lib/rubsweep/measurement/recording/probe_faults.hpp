@@ -19,9 +19,9 @@ struct Stretch {
   std::size_t first = 0, count = 0;
 };
 
-/// The longest stretch in which a probe is stuck while the recording goes on: for two turns or more it moves
-/// by less than a twentieth of its usual range, whereas `other`, the second probe, moves. Without a second
-/// probe the stuck probe must read a constant value there.
+/// The longest stretch in which a probe is stuck while the recording goes on. For two turns or more the stuck
+/// probe moves by less than a twentieth of its usual range, whereas `other`, the second probe, moves. Without
+/// a second probe the stuck probe must read a constant value there.
 std::optional<Stretch> still_stretch(std::span<const double> values, std::span<const double> other,
                                      double readings_per_turn);
 
@@ -37,10 +37,11 @@ struct WildReadings {
 };
 
 /// Replaces outliers by values interpolated from their neighbours. The usual interval contains nine tenths of
-/// all readings. A single reading is suspected if it exceeds both neighbours by a quarter of this interval, a
-/// group of one to three if it is farther than three interval lengths from its centre. They are outliers if
-/// their distance from the polynomial through three readings on either side is fifteen times the usual one
-/// nearby. If more than 2 % of the readings are outliers, the signal is taken as it is. NaN are skipped.
+/// all readings. A single reading is suspected if it exceeds both neighbours by a quarter of this interval. A
+/// group of one to three readings is suspected if its distance from the interval's centre exceeds three
+/// interval lengths. Suspected readings are outliers if their distance from the polynomial through three
+/// readings on either side is fifteen times the usual one nearby. If more than 2 % of the readings are
+/// outliers, the signal is not changed. NaN are skipped.
 WildReadings replace_wild_readings(std::vector<double>& readings);
 
 }  // namespace rubsweep::recording

@@ -11,7 +11,6 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/table/unit.hpp"
 #include "rubsweep/measurement/recording/findings.hpp"
-#include "rubsweep/measurement/recording/followed_line.hpp"
 #include "rubsweep/measurement/recording/found_speed.hpp"
 #include "rubsweep/measurement/recording/probe_faults.hpp"
 #include "rubsweep/measurement/recording/sample_clock.hpp"
@@ -173,23 +172,31 @@ void look_for_faults(std::vector<ProbeSignal>& all, const Recording& recording, 
   }
 }
 
-/// Integrates the readings until they are displacements, and says in the recording how.
-std::vector<ProbeSignal> displacements_of(const Readings& readings, double lowest_order,
-                                          const SampleClock& clock, Recording& recording) {
-  std::vector<ProbeSignal> all = readings.probes;
-  const int times = recording.integration.times = integrations_of(readings.quantity);
-  if (times == 0) return all;
-  const double slowest_hz = std::ranges::min(turn_speeds_hz(recording.turn_begin_s));
-  const double wanted_s = kept_periods[times] / (lowest_order * slowest_hz);
-  double longest = 0, count = 0;
-  for (const double value : all[0].values) {
-    count = std::isfinite(value) ? count + 1 : 0;
-    longest = std::max(longest, count);
+/// Makes displacements of samples of what was measured, over the angular speed, which is taken to be steady
+/// unless it changes by more than 2 %. Its rate, which a second integration would need, is left out.
+void integrate(double lowest_order, Recording& recording) {
+  constexpr double steady = 1.02, fewest_periods = 2;
+  Integration& integration = recording.integration;
+  integration.lowest_order = std::max(lowest_order, fewest_periods / recording.turns());
+  const double mean_rad_per_s = 2 * std::numbers::pi * recording.mean_speed_hz();
+  // An offset of the instrument would be no constant over an angular speed that changes.
+  Complex offset = 0;
+  for (const Complex z : recording.displacement_m)
+    offset += z / static_cast<double>(recording.displacement_m.size());
+  for (Complex& z : recording.displacement_m) z -= offset;
+  recording.measured_m = recording.displacement_m;
+  for (Complex& z : recording.measured_m) z *= std::pow(mean_rad_per_s, -integration.times);
+  std::vector<double> speeds_hz = turn_speeds_hz(recording.turn_begin_s);
+  const auto [slowest, fastest] = std::ranges::minmax(speeds_hz);
+  if (fastest <= steady * slowest) std::ranges::fill(speeds_hz, recording.mean_speed_hz());
+  for (std::size_t k = 0; k < recording.displacement_m.size(); ++k) {
+    const double place = static_cast<double>(k) / samples_per_revolution - 0.5;
+    const auto turn = std::min(static_cast<std::size_t>(std::max(place, 0.0)), speeds_hz.size() - 2);
+    const double speed_hz =
+        std::lerp(speeds_hz[turn], speeds_hz[turn + 1], place - static_cast<double>(turn));
+    recording.displacement_m[k] *= std::pow(2 * std::numbers::pi * speed_hz, -integration.times);
   }
-  const double window_s = std::min(wanted_s, longest / clock.rate_hz);
-  recording.integration.lowest_order = kept_periods[times] / (window_s * slowest_hz);
-  for (ProbeSignal& one : all) one.values = integrated(one.values, clock.rate_hz, times, window_s);
-  return all;
+  recording.displacement_m = integrated(std::move(recording.displacement_m), recording.turns(), integration);
 }
 
 /// Puts the readings over the evaluated turns into the recording.
@@ -203,30 +210,12 @@ void keep_readings(Readings& readings, const SampleClock& clock, Recording& reco
   recording.probes = std::move(readings.probes);
 }
 
-/// Turns along the line of a sweep, between from_s and to_s. Throws ConfigError where there is none.
-FollowedTurns sweep_turns(const Readings& readings, const Instrument& instrument, const SampleClock& clock,
-                          const std::string& name, std::vector<std::string>& findings) {
-  const double first_s = std::max(instrument.from_s.value_or(clock.first_s), clock.first_s);
-  const double begin_s =
-      clock.first_s +
-      static_cast<double>(place_of(first_s, clock, readings.probes[0].values.size())) / clock.rate_hz;
-  auto turns = follow_line(stretch_of(readings.probes, clock, instrument.from_s, instrument.to_s), begin_s,
-                           clock.rate_hz, *instrument.sweep);
-  if (!turns)
-    throw ConfigError(
-        fmt::format("{}: sweep: no line stands out from {} to {} Hz, or it is too short, allowed: a line "
-                    "whose ends are known to a quarter, and lower than half the sampling rate",
-                    name, instrument.sweep->from_hz, instrument.sweep->to_hz));
-  findings.push_back(fmt::format(
-      "the speed is that of the line followed through the sweep, known to {:.2g} Hz, angles to {:.2g} "
-      "turns; the phase of the line, also across a resonance, is not known",
-      turns->speed_uncertainty_hz, turns->angle_uncertainty_turns));
-  return *std::move(turns);
-}
-
 }  // namespace
 
-Recording make_recording(const Channels& all, const Instrument& instrument, const std::string& name) {
+Recording make_recording(const Channels& all, const Instrument& instrument, const std::string& name,
+                         const FollowedTurns* followed) {
+  if (instrument.sweep && !followed)
+    throw ConfigError(name + ": has a sweep in its description, allowed: a mark or a steady speed");
   std::vector<std::string> jumps;
   const std::optional<Channels> stretch = stretch_without_jump(all, instrument, name, jumps);
   const Channels& channels = stretch ? *stretch : all;
@@ -247,9 +236,8 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
         speed_to_take(*instrument.speed_hz, speed_near(looked_at, clock.rate_hz, *instrument.speed_hz), turns,
                       recording.findings);
   }
-  std::optional<FollowedTurns> followed;
-  if (instrument.sweep) followed = sweep_turns(readings, instrument, clock, name, recording.findings);
   recording.phased = !followed;
+  if (followed) recording.findings.push_back(followed->finding);
   ShaftTurns all_turns = followed ? ShaftTurns{.begin_s = followed->begin_s}
                                   : turns_of(channels, known, clock, name, recording.findings);
   const auto turns_looked_at = [&] {
@@ -271,9 +259,7 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
                                   std::max(recording.turns(), 0), fewest_turns));
   }
   look_for_faults(readings.probes, recording, clock, recording.findings);
-  const std::vector<ProbeSignal> displacements =
-      displacements_of(readings, instrument.lowest_order, clock, recording);
-  recording.displacement_m = turned(displacements, instrument, clock, recording.turn_begin_s);
+  recording.displacement_m = turned(readings.probes, instrument, clock, recording.turn_begin_s);
   if (instrument.run_out) {
     std::vector<double> slow = all_turns.begin_s;
     keep_between(slow, instrument.run_out->from_s, instrument.run_out->to_s);
@@ -282,18 +268,15 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
           fmt::format("{}: holds {} whole turns from run_out.from_s to run_out.to_s, allowed: 2 or more",
                       name, slow.empty() ? 0 : slow.size() - 1));
     subtract_run_out(recording.displacement_m,
-                     run_out_of(turned(displacements, instrument, clock, slow), samples_per_revolution,
+                     run_out_of(turned(readings.probes, instrument, clock, slow), samples_per_revolution,
                                 instrument.run_out->vector));
   }
   if (keep_longest_without_gap(recording) && recording.turns() < fewest_turns) {
     throw ConfigError(fmt::format("{}: holds {} turns without a gap, allowed: {} or more", name,
                                   recording.turns(), fewest_turns));
   }
-  if (const int times = recording.integration.times; times > 0) {
-    recording.measured_m = turned(readings.probes, instrument, clock, recording.turn_begin_s);
-    const double over = std::pow(2 * std::numbers::pi * recording.mean_speed_hz(), -times);
-    for (Complex& z : recording.measured_m) z *= over;
-  }
+  recording.integration.times = integrations_of(readings.quantity);
+  if (recording.integration.times > 0) integrate(instrument.lowest_order, recording);
   keep_readings(readings, clock, recording);
   recording.angle_doubt = instrument.keyphasor
                               ? angle_doubt_of(recording.turn_begin_s, all_turns)

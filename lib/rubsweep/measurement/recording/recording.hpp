@@ -23,18 +23,27 @@ struct ProbeSignal {
   std::vector<double> values{};
 };
 
+/// Turns of a shaft whose speed changes, found from its line in the readings.
+struct FollowedTurns {
+  std::vector<double> begin_s;         ///< beginnings of turns
+  double speed_uncertainty_hz = 0;     ///< standard, of the speed at an instant
+  double angle_uncertainty_turns = 0;  ///< standard, of an angle beside those nearby
+  std::string finding{};               ///< what has to be said of them
+};
+
 /// Measured motion over whole turns of the shaft, sampled at equal angles.
 struct Recording {
   double sampling_rate_hz = 0;
   std::vector<double> turn_begin_s{};  ///< instants at which turns begin, and the end of the last one
-  /// Displacement x + iy in metres, samples_per_revolution values per turn; with one probe its reading, real.
+  /// Displacement x + iy in metres, samples_per_revolution values per turn. With one probe, its reading as a
+  /// real number.
   std::vector<std::complex<double>> displacement_m{};
   /// Where velocity or acceleration was measured: the same samples of it over powers of the mean angular
   /// speed, so that its lines are those of the displacement times (i order)^times; else empty.
   std::vector<std::complex<double>> measured_m{};
   bool plane = false;      ///< measured by two probes
   bool phased = true;      ///< false: turns follow the line of the shaft, so that its phase is not known
-  bool from_rest = false;  ///< displacements count from the rest position of the rotor
+  bool from_rest = false;  ///< whether displacements are measured from the rest position of the rotor
   AngleDoubt angle_doubt{};
   Integration integration{};
   Place place = Place::shaft;
@@ -56,12 +65,14 @@ inline constexpr int fewest_turns = 4;
 /// near half the sampling rate. Throws ConfigError, with `name`:line where a row is at fault: for missing
 /// columns, unknown units, probes of different quantities or places, rest or run-out of others than
 /// displacement, uneven times, and fewer turns than `fewest_turns`.
-Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name);
+/// `followed`: turns of a shaft with `instrument.sweep`.
+Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name,
+                         const FollowedTurns* followed = nullptr);
 
-/// Run-out of a shaft: the mean turn of a slow stretch, whose `displacement_m` has samples_per_turn values
-/// per whole turn; its mean, the gap, is subtracted. `vector`: only the components at +1X and -1X, like
-/// instruments with a slow-roll vector. Turns with a gap in the data (NaN) are left out. Throws ConfigError
-/// where every turn has one.
+/// Run-out of a shaft: the mean turn of a slow stretch, minus the mean of that turn (the gap).
+/// `displacement_m` has samples_per_turn values per whole turn. `vector`: only the components at +1X and -1X,
+/// like instruments with a slow-roll vector. Turns with a gap in the data (NaN) are left out. Throws
+/// ConfigError where every turn has a gap.
 std::vector<std::complex<double>> run_out_of(std::span<const std::complex<double>> displacement_m,
                                              int samples_per_turn, bool vector);
 

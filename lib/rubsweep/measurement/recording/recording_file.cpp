@@ -27,7 +27,7 @@ namespace rubsweep::recording {
 namespace {
 
 using matlab::Variable;
-/// Most channels of one matrix: a picture has more.
+/// Largest number of channels in one matrix; larger matrices are pictures.
 constexpr std::size_t most_channels = 256;
 
 std::string why_left_out(const Variable& variable) {
@@ -68,7 +68,8 @@ void add_variable(Channels& table, Variable& variable, const std::string& name) 
   }
 }
 
-/// Sampling rate that a single number beside the signals says, by its name; nothing where two differ.
+/// Sampling rate in a single number beside the signals, recognised by its name; empty where two such numbers
+/// differ.
 std::optional<double> rate_of_settings(const Channels& table) {
   std::optional<double> said;
   for (const Channel& channel : table.channels) {
@@ -89,7 +90,7 @@ struct Close {
 
 constexpr sf_count_t frames_at_once = 4096;
 
-/// File size according to the header of a RIFF file; empty where the header leaves it open, as streams do.
+/// File size according to the header of a RIFF file; empty where the header gives none, as in streams.
 std::optional<std::uintmax_t> said_bytes(const std::filesystem::path& file) {
   std::array<unsigned char, 8> head{};
   std::ifstream stream(file, std::ios::binary);
@@ -145,10 +146,10 @@ Channels read_any(const std::filesystem::path& file, std::string_view bytes) {
                       "Octave writes with save -v7");
   if (bytes.starts_with("TDSm")) return read_tdms_file(bytes, file.string());
   if (is_universal_file(bytes)) return read_universal_file(bytes, file.string());
-  // Version 4 has no words at its begin, only its ending tells it.
+  // Files of version 4 have no signature at their begin; only the ending of their name shows the format.
   if (bytes.starts_with("MATLAB ") || file.extension() == ".mat")
     return read_matlab_file(bytes, file.string());
-  batch::check_table_text(bytes, file);  // a table written by one of our programs may be a recording, too
+  batch::check_table_text(bytes, file);  // a table written by one of these programs may also be a recording
   return read_delimited_text(bytes, file.string());
 }
 
@@ -164,12 +165,15 @@ Channels read_recording_file(const std::filesystem::path& file, std::string_view
   return table;
 }
 
-ReadRecording read_recording(const std::filesystem::path& file,
-                             const std::filesystem::path& instrument_file) {
+ReadRecording read_recording(const std::filesystem::path& file, const std::filesystem::path& instrument_file,
+                             FindTurns turns_of_sweep) {
   const std::string description = config::yaml::read_config_bytes(instrument_file);
   Instrument instrument = config::recording::read_instrument_text(description, instrument_file.string());
   const std::string bytes = batch::read_input(file);
-  Recording recording = make_recording(read_recording_file(file, bytes), instrument, file.string());
+  const Channels channels = read_recording_file(file, bytes);
+  std::optional<FollowedTurns> followed;
+  if (instrument.sweep && turns_of_sweep) followed = turns_of_sweep(channels, instrument, file.string());
+  Recording recording = make_recording(channels, instrument, file.string(), followed ? &*followed : nullptr);
   return {std::move(recording), std::move(instrument), description + bytes};
 }
 

@@ -122,11 +122,11 @@ std::optional<Channels> stretch_without_jump(const Channels& channels, const Ins
   if (!instrument.time) return std::nullopt;
   const Channel& time = find_channel(channels, *instrument.time, name);
   const double unit_s = seconds_per(time.unit, time.name, name), usual = usual_step(time.values);
-  std::vector<std::size_t> begins{0};  // beginnings of the stretches, and the end of the last one
+  std::vector<std::size_t> begins{0};  // first samples of the stretches, and the end of the last one
   for (std::size_t k = 1; k < time.values.size(); ++k) {
     const double step = time.values[k] - time.values[k - 1];
     if (!(usual > 0) || step <= (1 - largest_jitter) * usual)
-      return std::nullopt;  // no valid clock: clock_of reports where
+      return std::nullopt;  // the clock is invalid; clock_of reports where
     if (step >= (1 + largest_jitter) * usual) begins.push_back(k);
   }
   const std::size_t jumps = begins.size() - 1;

@@ -18,8 +18,8 @@
 namespace rubsweep::recording {
 namespace {
 
-/// Margin at both ends of the signal's range: samples within it belong to a level, samples between belong to
-/// an edge.
+/// Margin at both ends of the signal's range: samples inside a margin belong to a level, all others to an
+/// edge.
 constexpr double level_share = 0.1;
 constexpr double half_resolved = 0.2;
 
@@ -134,7 +134,7 @@ double mark_resolution(std::span<const double> signal, Mark mark, double thresho
     if (before == now || now != (mark == Mark::bright)) continue;
     ++edges[static_cast<std::size_t>(on_edge(signal[k - 1])) + static_cast<std::size_t>(on_edge(signal[k]))];
   }
-  // The half of the signal with the coarser edges decides.
+  // The median of the resolutions of all edges decides.
   const std::size_t half = (edges[0] + edges[1] + edges[2]) / 2;
   if (edges[0] > half) return 1;
   return edges[0] + edges[1] > half ? half_resolved : 0;
@@ -148,8 +148,8 @@ SmoothMarks smoothed_marks(std::span<const double> marks_s, double resolution_s)
   // digits.
   const Eigen::VectorXd marks =
       (Eigen::Map<const Eigen::VectorXd>(marks_s.data(), count).array() - marks_s.front()) / resolution_s;
-  // The first curve within the bounds may touch them everywhere; the next more flexible one is nearer to the
-  // truth.
+  // The first curve within the bounds may touch them everywhere; the next, more flexible curve is nearer to
+  // the truth.
   std::optional<Eigen::VectorXd> fit;
   bool held = false;
   const auto take = [&](const Base& base) {

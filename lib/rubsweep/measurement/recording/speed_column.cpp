@@ -82,7 +82,7 @@ std::optional<double> speed_factor(const std::vector<std::vector<double>>& probe
   for (const std::vector<double>& readings : probes)
     turned.push_back(
         at_equal_angles(readings, clock.first_s, clock.rate_hz, turn_begin_s, readings_per_turn));
-  // Turns take the place of seconds.
+  // Here the unit of time is a turn, so the shaft's line lies near 1.
   const auto found = speed_near(turned, readings_per_turn, 1);
   if (!found || found->speed_hz == 0) return std::nullopt;
   const double off = std::abs(found->speed_hz - 1);

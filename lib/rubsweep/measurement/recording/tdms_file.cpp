@@ -29,7 +29,7 @@ constexpr const char* allowed_file = "a whole TDMS file";
 constexpr const char* allowed_daqmx =
     "numbers that are scaled already, as LabVIEW, DIAdem and nptdms write them again";
 
-/// Bits of the contents of a segment.
+/// Bits that tell the contents of a segment.
 constexpr std::uint32_t has_metadata = 1u << 1, begins_new_list = 1u << 2, has_raw_data = 1u << 3,
                         is_interleaved = 1u << 5, is_big_endian = 1u << 6, has_daqmx = 1u << 7;
 constexpr std::uint32_t text_type = 0x20, stamp_type = 0x44, no_data = 0xffffffff, as_before = 0;
@@ -38,7 +38,7 @@ constexpr std::uint32_t text_type = 0x20, stamp_type = 0x44, no_data = 0xfffffff
   throw FileError{wrong, allowed};
 }
 
-/// A type of values by its code.
+/// Type of values, with its code in the file.
 struct Kind {
   std::uint32_t code = 0;
   std::size_t bytes = 0;
@@ -63,7 +63,7 @@ constexpr std::array<Kind, 16> kinds{{{0x01, 1, int8},
                                       {0x08000c, 8},
                                       {0x10000d, 16}}};
 
-/// Kind of a type; without bytes for text and unknown ones.
+/// The kind with this code; zero bytes for text and unknown types.
 Kind kind_of(std::uint32_t type) {
   const auto kind = std::ranges::find(kinds, type, &Kind::code);
   return kind == kinds.end() ? Kind{} : *kind;
@@ -76,7 +76,7 @@ struct Object {
   std::string group{}, name{};
   std::uint32_t type = 0;
   std::size_t count = 0, chunk_bytes = 0;  ///< sizes of the next chunk
-  bool has_index = false, here = false;    ///< here: the segment has data of it
+  bool has_index = false, here = false;    ///< `here`: the present segment has data of this object
   bool has_scales = false, is_scaled = false;
   std::vector<double> values{};
   std::optional<std::int64_t> first_stamp_s{};
@@ -88,7 +88,7 @@ struct Object {
 
 std::string take_text(Bytes& in) { return std::string(in.take(in.number<std::uint32_t>())); }
 
-/// Parts of a path, which are quoted and parted by strokes.
+/// Parts of a path, which are quoted and separated by slashes.
 std::vector<std::string> parts_of(std::string_view path) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -127,7 +127,7 @@ class Reader {
   }
 
   std::vector<Object> objects{};
-  bool unfinished = false;  ///< the last segment was not closed, or has a part of a chunk
+  bool unfinished = false;  ///< the last segment was not closed, or its last chunk is incomplete
 
  private:
   void read_segment(std::string_view& bytes) {
@@ -140,7 +140,7 @@ class Reader {
     auto next = head.number<std::uint64_t>();
     const auto raw = head.number<std::uint64_t>();
     bytes.remove_prefix(lead_in);
-    if (next == std::numeric_limits<std::uint64_t>::max()) {  // the program that wrote it did not close it
+    if (next == std::numeric_limits<std::uint64_t>::max()) {  // the writing program did not close the segment
       next = bytes.size();
       unfinished = true;
     }
@@ -233,7 +233,8 @@ class Reader {
       refuse(fmt::format("holds more than {} numbers", most_tdms_numbers), "fewer");
   }
 
-  /// Seconds since the first stamp, which are counted with a fraction of 64 bits.
+  /// Seconds since the first stamp. Stamps have a fraction of 64 bits, so whole seconds are subtracted
+  /// separately.
   static double take_stamp(Bytes& in, Object& object) {
     const auto first = in.number<std::uint64_t>(), second = in.number<std::uint64_t>();
     constexpr bool here_little = std::endian::native == std::endian::little;

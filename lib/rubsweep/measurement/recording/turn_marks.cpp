@@ -11,12 +11,12 @@ namespace {
 
 /// Largest step from mark to mark, in marks; all marks passed over in a step are surplus.
 constexpr std::size_t most_ahead = 10;
-/// Change of the logarithm of the interval, from one turn to the next, that costs 1; and the largest cost of
-/// any change.
+/// Relative change of the interval, from one turn to the next, that costs 1; and the largest cost of any
+/// change.
 constexpr double usual_change = 0.08, most_of_a_change = 25;
 constexpr double cost_of_a_mark = 10, cost_of_a_missing_turn = 8;
-/// Cost of a mark before the first used one, or after the last. It exceeds the cost of a change, so that a
-/// shaft that starts to turn keeps its first marks.
+/// Cost of each unused mark before the first used one or after the last one. It exceeds the cost of a change
+/// of interval, so that a shaft that starts to turn keeps its first marks.
 constexpr double cost_at_an_end = 20;
 
 /// A step from one used mark to the next, with the cost of all steps up to it.
@@ -45,7 +45,7 @@ Step step_of(double interval_s, double turn_s, double resolution_s) {
 
 double cost_of_passing(std::size_t marks, double each) { return each * static_cast<double>(marks); }
 
-/// Steps that end at each mark; the index is their length in marks minus one.
+/// Steps that end at each mark, indexed by their length in marks minus one.
 using Steps = std::vector<std::vector<Step>>;
 
 /// Cheapest steps (dynamic programming): for each mark and length, the step with the best step before it.
@@ -79,7 +79,7 @@ Steps cheapest_steps(std::span<const double> marks_s, double resolution_s) {
   return steps;
 }
 
-/// Marks that are used, with the numbers of their turns.
+/// Used marks, with the numbers of their turns.
 struct Chain {
   std::vector<double> t_s, turns;
 };

@@ -16,8 +16,8 @@ enum class Mark {
 double middle_threshold(std::span<const double> signal);
 
 /// Instants in seconds at which the leading edge of the mark passes, interpolated linearly between samples.
-/// `t_s` ascends. The mark has passed, and the next one counts, once the signal is back beyond the threshold
-/// by `hysteresis` (>= 0, in units of the signal). NaN are skipped: an edge across such a gap does not count.
+/// `t_s` ascends. The next mark is looked for once the signal is back beyond the threshold by `hysteresis`
+/// (>= 0, in units of the signal). NaN are skipped: an edge across such a gap does not count.
 std::vector<double> mark_times_s(std::span<const double> t_s, std::span<const double> signal, Mark mark,
                                  double threshold, double hysteresis);
 
@@ -28,10 +28,10 @@ struct TurnMarks {
   int dropped = 0;  ///< number of surplus marks
 };
 
-/// Finds turns without a mark and surplus marks; marks are known to `resolution_s`. Of all sequences of marks
-/// it takes the one whose intervals change least from turn to turn. A surplus mark and a missing one each
-/// cost as much as a change of the interval by a quarter. Any number of surplus marks is found among marks
-/// that come once per turn, unless the surplus ones come regularly, too.
+/// Finds turns without a mark, and surplus marks. Marks are known to `resolution_s`. Of all sequences of
+/// marks it chooses the one whose intervals change least from turn to turn. A surplus mark, or a missing one,
+/// costs as much as a change of the interval by a quarter. If marks come once per turn, any number of surplus
+/// marks is found, unless the surplus marks also come at regular intervals.
 TurnMarks numbered_marks(std::span<const double> marks_s, double resolution_s = 0);
 
 }  // namespace rubsweep::recording

@@ -56,7 +56,7 @@ double number_of(std::string_view line, std::size_t begin, std::size_t width, st
   return *value;
 }
 
-/// A whole number of a few digits; 0 where there is another one.
+/// The code as a whole number of a few digits; 0 for any other value.
 int code_of(double value) {
   constexpr double largest = 10000;
   return std::abs(value) <= largest ? static_cast<int>(value) : 0;
@@ -67,7 +67,7 @@ std::string word_of(std::string_view line, std::size_t begin, std::size_t width)
   return word == "NONE" ? std::string() : std::string(word);
 }
 
-/// Head and numbers of a data set.
+/// Header and numbers of a data set.
 struct Set {
   std::string title{}, point{}, unit{}, time_unit{};
   int function = 0, ordinate = 0, abscissa_kind = 0;
@@ -119,7 +119,7 @@ Set read_head(Cursor& in) {
   return set;
 }
 
-/// Numbers of a text, parted by blanks or by their signs.
+/// Numbers of a text, separated by blanks or by their signs.
 std::vector<double> read_text_numbers(Cursor& in, std::size_t count) {
   std::vector<double> numbers;
   numbers.reserve(std::min(count, in.rest.size()));
@@ -144,14 +144,14 @@ std::vector<double> read_text_numbers(Cursor& in, std::size_t count) {
   return numbers;
 }
 
-/// Numbers of a set 58b, whose first line says their order and how many bytes they have.
+/// Numbers of a set 58b; its first line gives the byte order and the number of bytes.
 std::vector<double> read_binary_numbers(Cursor& in, std::string_view first, const Set& set) {
   const double order = number_of(first, 7, 6, set.line), form = number_of(first, 13, 6, set.line),
                lines = number_of(first, 19, 12, set.line), bytes = number_of(first, 31, 12, set.line);
   if ((order != 1 && order != 2) || form != 2 || lines != head_lines)
     throw Fault{set.line, 1, "announces binary numbers of another kind", "those of IEEE 754 behind 11 lines"};
   const std::size_t size = set.double_precision() ? 8 : 4, per_point = set.complex() ? 2 : 1;
-  // Times of uneven steps have four bytes by the format, and eight as some write them.
+  // With uneven steps, times have four bytes according to the format, but some programs write eight.
   const double room = static_cast<double>(in.rest.size());
   const auto needs = [&](std::size_t of_time) {
     return static_cast<double>(set.points) * static_cast<double>(size * per_point + (set.even ? 0 : of_time));
@@ -193,7 +193,7 @@ std::string_view take_filled(Cursor& in) {
   return line;
 }
 
-/// Reads all sets; those of other numbers are left out.
+/// Reads all data sets of type 58; other types are left out.
 std::vector<Set> read_sets(std::string_view bytes, Channels& table) {
   Cursor in{bytes};
   std::vector<Set> sets;
@@ -214,7 +214,7 @@ std::vector<Set> read_sets(std::string_view bytes, Channels& table) {
   return sets;
 }
 
-/// Why a set is no signal beside the first one; empty where it is.
+/// Reason why a set is not a signal that fits the first one; empty where it is.
 std::string why_left_out(const Set& set, const Set* first) {
   constexpr int time = 17;
   if (set.function > 1) return fmt::format("is no time history, but a function of type {}", set.function);
@@ -230,7 +230,7 @@ std::string why_left_out(const Set& set, const Set* first) {
   return "";
 }
 
-/// Readings per second of a step with six digits.
+/// Readings per second for a step with six digits: a whole number if one agrees with these digits.
 double rate_of(double step_s) {
   constexpr double six_digits = 5e-6;
   const double rate = 1 / step_s, whole = std::round(rate);

@@ -103,7 +103,7 @@ Eigen::VectorXd polynomial_through(const Eigen::VectorXd& lags, int turns, int d
   return polynomials(places, degree) * polynomials(middles, degree).colPivHouseholderQr().solve(lags);
 }
 
-/// Whether the marks allow these shifts, up to a common constant.
+/// Whether the errors of the marks permit these shifts, up to a common constant.
 bool allowed(const Eigen::VectorXd& shift_turns, const recording::AngleDoubt& doubt) {
   double low = -INFINITY, high = INFINITY;
   for (std::size_t k = 0; k < doubt.low_turns.size(); ++k) {
@@ -114,7 +114,7 @@ bool allowed(const Eigen::VectorXd& shift_turns, const recording::AngleDoubt& do
   return low <= high;
 }
 
-/// Largest factor, at most 1, with which the marks allow these shifts.
+/// Largest factor, at most 1, for which the errors of the marks permit the shifts times this factor.
 double allowed_share(const Eigen::VectorXd& shift_turns, const recording::AngleDoubt& doubt) {
   if (allowed(shift_turns, doubt)) return 1;
   constexpr int halvings = 20;
@@ -133,9 +133,10 @@ Eigen::MatrixXd projection_on(const Eigen::MatrixXd& functions) {
   return unit * unit.transpose();
 }
 
-/// Matrix that extracts the slow part of a sequence of values, one per period and about their mean: a
-/// polynomial, and cosines of the remainder. Cosines converge slowly where the two ends differ; a polynomial
-/// picks up other lines at the ends. Only the part in phase may therefore have a degree above 1.
+/// Matrix that extracts the slow part of a sequence of values, one value per period, taken about their mean:
+/// a polynomial, and cosines of the remainder. A sum of cosines alone converges slowly where the two ends
+/// differ; a polynomial of high degree picks up other lines at the ends. Only the part in phase may therefore
+/// have a degree above 1.
 Eigen::MatrixXd slow_part_of(Eigen::Index count, bool in_phase) {
   const Eigen::Index degree = in_phase ? std::clamp<Eigen::Index>(count / 8, 1, 3) : 1,
                      waves = count / (in_phase ? 4 : 8);
@@ -150,7 +151,7 @@ Eigen::MatrixXd slow_part_of(Eigen::Index count, bool in_phase) {
   return polynomial + projection_on(cosines) * (Eigen::MatrixXd::Identity(count, count) - polynomial);
 }
 
-/// Slow part of a line's amplitudes; with `in_phase`, only the part in phase with their mean.
+/// Slow part of a line's amplitudes. With `in_phase`, only the component in phase with their mean.
 Eigen::VectorXcd slow_part(const Eigen::MatrixXd& part_of, const Eigen::VectorXcd& amplitudes,
                            bool in_phase) {
   if (!in_phase) return part_of * amplitudes;
@@ -159,8 +160,8 @@ Eigen::VectorXcd slow_part(const Eigen::MatrixXd& part_of, const Eigen::VectorXc
   return (part_of * size) * phase;
 }
 
-/// Removes the part of the amplitudes that repeats after `repeats` values, but keeps its mean: lines of a
-/// longer period appear as such repetition.
+/// Removes the component of the amplitudes that repeats after `repeats` values, but keeps its mean. Lines of
+/// a longer period would appear as such a repetition.
 Eigen::VectorXcd without_repetition(const Eigen::VectorXcd& amplitudes, Eigen::Index repeats) {
   Eigen::VectorXcd left = amplitudes.array() + amplitudes.mean();
   for (Eigen::Index first = 0; first < std::min(repeats, left.size()); ++first) {
@@ -261,7 +262,7 @@ Levelled without_slow_modulation(std::span<const Complex> samples, int samples_p
     const double square = part.squaredNorm() / static_cast<double>(periods);
     const bool goes = square <= bound;
     if (goes) add_line(part, static_cast<int>(i) - last, length, taken);
-    // A drifting gap voltage is not part of the motion.
+    // The drift of the centre is not counted: a drifting gap voltage is no part of the motion.
     if (!centre) (goes ? squares : refused) += square;
   }
   levelled.refused_m = std::sqrt(refused);

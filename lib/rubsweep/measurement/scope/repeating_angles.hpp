@@ -23,12 +23,12 @@ std::vector<std::complex<double>> lines_of_period(std::span<const std::complex<d
 
 /// Resamples a motion, given by `samples_per_revolution` samples per turn, at the angles at which it repeats
 /// best after `period` turns; `samples` contains at least two periods. The shift of the angles is a
-/// polynomial over the recording within the limits of `doubt`, up to a constant: angles count from the mean
-/// of the marks.
+/// polynomial over the recording within the limits of `doubt`. Its mean is zero: angles are measured from the
+/// mean of the marks.
 ///
 /// A shift of s turns adds P' s to a motion P. Each period gets its own s by least squares. A polynomial of
-/// `doubt.degree` through them (of lower degree where there are fewer periods) is the next correction, until
-/// it is small. P' contains only lines with |order| <= `most_order`.
+/// `doubt.degree` through these shifts (of lower degree where there are fewer periods) is the next
+/// correction, until the correction is small. P' contains only lines with |order| <= `most_order`.
 std::vector<std::complex<double>> at_repeating_angles(std::span<const std::complex<double>> samples,
                                                       int samples_per_revolution, int period,
                                                       double most_order, const recording::AngleDoubt& doubt);
@@ -40,21 +40,21 @@ struct Levelled {
   double refused_m = 0;     ///< root mean square of modulation that was too large to be removed
 };
 
-/// Slow modulation that is to be removed.
+/// Settings for the removal of slow modulation.
 struct SlowModulation {
-  int period = 1;                ///< period in turns, whose lines are corrected
+  int period = 1;                ///< period in turns; its lines are corrected
   double most_order = 0;         ///< largest order of these lines
   double most_modulation = 0.1;  ///< largest modulation, as a share of the motion
   std::ptrdiff_t repeats = 1;    ///< variations that repeat after this number of periods stay
-  bool in_phase = false;         ///< corrects amplitudes only, not a line's drifting phase
+  bool in_phase = false;         ///< corrects only the amplitudes of lines, not their drifting phases
 };
 
-/// Removes the slow modulation of a period's lines, as caused by a wandering load, temperature or speed.
+/// Removes the slow modulation of a period's lines, which a wandering load, temperature or speed causes.
 /// `samples` contains `samples_per_revolution` values per turn. From period to period, the modulation of a
-/// line is a straight line plus cosines slower than one cycle in sixteen periods. The part in phase with its
-/// mean may be a cubic polynomial plus cosines slower than one cycle in eight. Variations of more than twice
-/// `most_modulation` of a line are kept. Everything is kept where more than `most_modulation` of the motion
-/// would be removed. The drift of the centre is removed likewise, up to half of the motion.
+/// line is a straight line plus cosines slower than one cycle in sixteen periods. Its component in phase with
+/// the mean may be a cubic polynomial plus cosines slower than one cycle in eight periods. A line that varies
+/// by more than twice `most_modulation` is not corrected. Nothing is removed if more than `most_modulation`
+/// of the motion would be. The drift of the centre is removed likewise, up to half of the motion.
 Levelled without_slow_modulation(std::span<const std::complex<double>> samples, int samples_per_revolution,
                                  const SlowModulation& slow);
 

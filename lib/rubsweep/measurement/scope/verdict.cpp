@@ -19,12 +19,12 @@ using response::spectrum::SpectrumWorkspace;
 
 constexpr int fewest_periods = 3;
 constexpr double false_alarm = 0.01;
-/// False-alarm probability of a suspicious line, which is not large enough to be visible.
+/// False-alarm probability of a suspicious line, which is too small to count as visible.
 constexpr double suspicion = 0.2;
 
 int longest_period_in(int turns) { return std::min(max_period, turns / fewest_periods); }
 
-/// A spectrum, of which only lines up to an order count.
+/// A spectrum of which only the lines up to a given order are used.
 struct Lines : FullSpectrum {
   double most_order = 0, least_share = 0;
   recording::Integration integration{};
@@ -88,8 +88,9 @@ Threshold threshold_of(const Lines& spectrum) {
     ++count;
     threshold.largest_m = std::max(threshold.largest_m, amplitude);
   });
-  // Noise exceeds s sqrt(2 ln(count / p)) in one of the lines with probability p. As s is an estimate with
-  // relative variance v, the mean of exp(-t^2 s^2 / 2) requires t^2 / (1 + t^2 v) in place of t^2.
+  // The largest of `count` noise lines exceeds s sqrt(2 ln(count / p)) with probability p. As s is an
+  // estimate with relative variance v, the mean of exp(-t^2 s^2 / 2) requires t^2 / (1 + t^2 v) in place of
+  // t^2.
   const auto reached = [&](double probability) {
     constexpr double most = 0.75;
     const double square = 2 * std::log(count / probability);
@@ -161,8 +162,8 @@ struct Motion {
     return at_repeating_angles(samples, static_cast<int>(per_turn), turns, most_order_looked_at(),
                                reading.angle_doubt);
   }
-  /// Samples without the slow modulation of their lines at whole orders; keeps variations that repeat after
-  /// `turns` turns.
+  /// Samples without the slow modulation of their lines at whole orders. Variations that repeat after `turns`
+  /// turns are kept.
   Levelled levelled_once(std::span<const Complex> motion, int turns) const {
     return levelled(motion, {.repeats = turns});
   }
@@ -182,7 +183,7 @@ Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples
           motion.reading.thresholds.least_share, motion.reading.integration};
 }
 
-/// Whether both halves of a motion, without slow modulation, have the same lines.
+/// Whether the first and the second half of a motion, without slow modulation, have the same lines.
 bool keeps_lines(const Motion& motion, std::span<const Complex> samples, SpectrumWorkspace& workspace) {
   const std::vector<Complex> all = motion.levelled_once(samples, 1).samples;
   const auto halves = std::span(all);
@@ -190,13 +191,13 @@ bool keeps_lines(const Motion& motion, std::span<const Complex> samples, Spectru
                                                  workspace);
 }
 
-/// Finds the shortest period outside of which no line is visible, a longer period that cannot be ruled out,
-/// if there is one, and the class. Returns the samples in which they show.
+/// Finds the class and the shortest period outside of whose lines nothing is visible, and a longer period, if
+/// one cannot be ruled out. Returns the corrected samples that show this period.
 std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& workspace, Verdict& verdict) {
   for (int n = 1; n <= verdict.longest_period; ++n) {
     std::vector<Complex> samples = motion.repeating_after(n);
     const Levelled once = motion.levelled_once(samples, n);
-    // First only the amplitudes of a longer period's lines may vary slowly, then their phases, too.
+    // First only the amplitudes of a longer period's lines may vary slowly, then also their phases.
     const Levelled steady = n == 1 ? once : motion.levelled(once.samples, {.period = n, .in_phase = true});
     const Levelled levelled = n == 1 ? once : motion.levelled(steady.samples, {.period = n});
     if (n == 1) verdict.refused_modulation_m = once.refused_m;
@@ -227,8 +228,8 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     }
     return samples;
   }
-  // Where no line is bound to the shaft, the angles of best repetition are arbitrary, so the original samples
-  // decide.
+  // Where no line is locked to the shaft, the angles of best repetition are arbitrary, so the original
+  // samples are classified.
   verdict.motion = MeasuredClass::quasi_periodic;
   if (!keeps_lines(motion, motion.samples, workspace)) {
     std::vector<Complex> moved = motion.repeating_after(1);
@@ -238,15 +239,14 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
   return {motion.samples.begin(), motion.samples.end()};
 }
 
-/// Sets the mean orbit of a period and its lines. Without a period: the last turns, with as many lines as a
-/// figure can show, whose noise is larger because they are fewer turns.
-void take_orbit(std::span<const Complex> samples, std::size_t per_turn, SpectrumWorkspace& workspace,
-                Verdict& verdict) {
+/// Sets the mean orbit of a period and its lines. Without a period, the orbit has only the last turns, as
+/// many as a figure can show. Because these turns are fewer, their noise is larger.
+void take_orbit(std::span<const Complex> samples, std::size_t per_turn, Verdict& verdict) {
   if (verdict.period) {
     const int n = *verdict.period;
     const std::size_t length = static_cast<std::size_t>(n) * per_turn;
-    verdict.orbit_m = displacement_of(mean_period(whole_periods(samples, length), length), n,
-                                      verdict.integration, workspace);
+    verdict.orbit_m =
+        recording::integrated(mean_period(whole_periods(samples, length), length), n, verdict.integration);
     verdict.lines = lines_of(verdict.orbit_m, n);
     return;
   }
@@ -256,7 +256,7 @@ void take_orbit(std::span<const Complex> samples, std::size_t per_turn, Spectrum
   verdict.noise_m *= fewer;
   verdict.visible_m *= fewer;
   const auto last = samples.last(static_cast<std::size_t>(turns) * per_turn);
-  verdict.orbit_m = displacement_of({last.begin(), last.end()}, turns, verdict.integration, workspace);
+  verdict.orbit_m = recording::integrated({last.begin(), last.end()}, turns, verdict.integration);
   verdict.lines = lines_of(verdict.orbit_m, turns);
 }
 
@@ -270,7 +270,7 @@ void measure_whirl(Verdict& verdict) {
   const double all = forward + backward;
   verdict.whirl = response::spectrum::whirl_kind(forward, backward);
   verdict.forward_share = forward / all;
-  // Error propagation for f / (f + b), with df = 2 sqrt(f) s and db = 2 sqrt(b) s.
+  // Error propagation for f / (f + b), with the errors df = 2 sqrt(f) s and db = 2 sqrt(b) s of the energies.
   verdict.forward_share_uncertainty = 2 * verdict.noise_m * std::sqrt(forward * backward / all) / all;
 }
 
@@ -292,7 +292,7 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
                   .thresholds = reading.thresholds,
                   .integration = reading.integration};
   std::vector<Complex> samples;
-  // Rounding of the numbers may leave a small line of a shaft that stands still.
+  // Rounding may leave a small line in the recording of a shaft at standstill.
   const Complex farthest = std::ranges::max(displacement_m, {}, [](Complex z) { return std::abs(z); });
   if (first.largest_m <= std::max(first.visible_m(), 1e-12 * std::abs(farthest))) {
     samples.assign(displacement_m.begin(), displacement_m.end());
@@ -304,7 +304,7 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
   if (!verdict.period)
     verdict.discrete_lines =
         discrete_lines_of(samples, motion.per_turn, reading, {first.seen_m, first.floor_m}, workspace);
-  take_orbit(samples, motion.per_turn, workspace, verdict);
+  take_orbit(samples, motion.per_turn, verdict);
   add_uncertainties(reading, verdict);
   if (plane && verdict.motion != MeasuredClass::at_rest) {
     verdict.shape = response::spectrum::orbit_kind(

@@ -17,11 +17,11 @@ enum class MeasuredClass {
   at_rest,      ///< no line stands out of the noise
   synchronous,  ///< repeats every turn
   subharmonic,  ///< repeats after 2 to max_period turns
-  /// Repeats so as well as the recording can tell, and may turn against the shaft (may_be_torus).
+  /// Subharmonic within the accuracy of the recording, but perhaps a torus: the motion may turn against the
+  /// shaft (may_be_torus).
   subharmonic_or_torus,
-  quasi_periodic,  ///< does not, and its lines stay where they are from one half of the recording to the
-                   ///< other
-  aperiodic        ///< no period, and the lines change between the halves: chaos, or a changing machine
+  quasi_periodic,  ///< no period; the lines are the same in both halves of the recording
+  aperiodic        ///< no period; the lines differ between the halves: chaos, or a machine that changes
 };
 std::string_view to_string(MeasuredClass value);
 
@@ -29,7 +29,8 @@ std::string_view to_string(MeasuredClass value);
 struct MeasuredLine {
   double order = 0;                      ///< multiple of the shaft speed, negative for backward whirl
   std::complex<double> amplitude_m = 0;  ///< A of A e^{i order phi}; phi = 0 at the mark
-  double uncertainty_m = 0;              ///< standard, of each component: noise and error of the method
+  /// standard uncertainty of each component: noise and error of the method
+  double uncertainty_m = 0;
 };
 
 /// A line of a motion without a period, at any place between the bins.
@@ -40,11 +41,11 @@ struct DiscreteLine {
 };
 inline constexpr int most_discrete_lines = 16;
 
-/// A longer period that the noise does not rule out, but that a longer recording would show.
+/// A longer period that the noise does not rule out, but that a longer recording would show or rule out.
 struct DoubtfulPeriod {
   int turns = 0;           ///< period
-  double amplitude_m = 0;  ///< largest line that this period has and the shorter period lacks
-  double more_turns = 0;   ///< further turns after which this line would be visible or ruled out
+  double amplitude_m = 0;  ///< largest line of the longer period that the shorter period lacks
+  double more_turns = 0;   ///< number of further turns after which this line would be visible or ruled out
 };
 
 /// Limits that decide the class.
@@ -57,10 +58,10 @@ struct Thresholds {
 struct Verdict {
   MeasuredClass motion = MeasuredClass::at_rest;
   int turns = 0;                ///< evaluated turns, in whole periods
-  std::optional<int> period{};  ///< period in turns; empty: none up to longest_period
+  std::optional<int> period{};  ///< period in turns; empty: no period up to longest_period
   int longest_period = 0;       ///< longest period that this recording can show
   std::optional<DoubtfulPeriod> doubtful{};
-  /// Possible distance of a subharmonic's lines from the multiples of 1 / period, in orders.
+  /// Largest possible distance of a subharmonic's lines from the multiples of 1 / period, in orders.
   std::optional<double> order_room{};
   double noise_m = 0;       ///< standard uncertainty of each component of a line, where integrated that of 1X
   double visible_m = 0;     ///< smallest amplitude of a line that counts, where integrated of 1X
@@ -97,8 +98,8 @@ struct Reading {
   double missed_share(double order) const;
 };
 
-/// The line, between the bins, nearest to the bin of this order in a motion without a period; null unless
-/// this bin is also the line's nearest one.
+/// In a motion without a period: the first line between the bins whose nearest bin has this order; null if
+/// there is none.
 const DiscreteLine* line_of_bin(const Verdict& verdict, double order);
 
 /// Whether the lines of a motion with a period may be those of a torus that turns against the shaft by more
@@ -106,18 +107,18 @@ const DiscreteLine* line_of_bin(const Verdict& verdict, double order);
 bool may_be_torus(const Verdict& verdict);
 
 /// Classifies a motion over whole turns, given by `samples_per_revolution` equally spaced samples per turn.
-/// `plane`: x + iy of two probes, else the reading of one. Needs at least 4 turns; a period of n turns is
-/// found in at least three periods.
+/// `plane`: x + iy of two probes; otherwise the reading of one probe. Needs at least 4 turns; a period of n
+/// turns is found in at least three periods.
 ///
-/// The noise is the median amplitude of the lines between the multiples of 1/1 to 1/8 (of every other line
-/// where there are too few), evaluated as a Rayleigh distribution. Where
-/// reading.integration says so, the samples are derivatives of the displacement: noise is that of their
-/// lines, and lines and orbits are integrated. A line is visible if noise would raise one
-/// of all lines as high in 1 % of all recordings only, and if it exceeds its share of the largest line. The
-/// period is the smallest number of turns outside of whose multiples nothing is visible. For each number the
-/// motion is resampled to repeat best, within the doubt of the marks, and freed of the slow modulation of its
-/// lines (repeating_angles.hpp). Orders above 0.4 of the readings per turn are left out, because
-/// interpolation of the readings changes the noise there. See docs/method/recordings.md.
+/// The noise is the median amplitude of the lines between the multiples of 1/1 to 1/8 (of every second line
+/// where these are too few), evaluated as a Rayleigh distribution. A line is visible if it exceeds its share
+/// of the largest line, and if noise would produce such a line in only 1 % of all recordings. The period is
+/// the smallest number n of turns for which all visible lines are multiples of 1/n. For each n the motion is
+/// resampled to repeat best, within the errors of the marks, and freed of the slow modulation of its lines
+/// (repeating_angles.hpp). Orders above 0.4 of the readings per turn are left out, because interpolation of
+/// the readings changes the noise there. With `reading.integration` the samples are derivatives of the
+/// displacement: their noise counts, and the orbit and its lines are integrated. See
+/// docs/method/recordings.md.
 Verdict judge(std::span<const std::complex<double>> displacement_m, int samples_per_revolution, bool plane,
               const Reading& reading = {});
 

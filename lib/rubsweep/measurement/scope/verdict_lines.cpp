@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
 
@@ -12,27 +13,27 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Largest leakage of the lines between the bins into a bin without a line of its own.
+/// Largest leakage of the lines between the bins into a bin that has no line of its own.
 double leak_at(const Verdict& verdict, double order) {
   double leak = 0;
   for (const DiscreteLine& line : verdict.discrete_lines) {
     const double bins = std::abs(order - line.order) * verdict.turns;
-    // Leakage over this many bins without a window function.
+    // Leakage of the line at a distance of `bins` bins, without a window function.
     leak += line.amplitude_m * std::abs(std::sin(std::numbers::pi * bins)) / (std::numbers::pi * bins);
   }
   return leak;
 }
 
-/// Scale factor of the orders of lines, because the recording's angles may be wrong.
+/// Scale factor for the orders of lines, because the recording's angles may be wrong.
 struct Scale {
   double factor = 1, uncertainty = 0;
 };
 
-/// Scale from the line that turns with the shaft, where the marks allow it; else with the uncertainty that
-/// the marks leave.
+/// Scale from the line locked to the shaft, where the marks permit it; otherwise 1, with the uncertainty of
+/// the marks.
 Scale scale_of(std::span<const response::spectrum::ResolvedLine> lines, double per_turn, std::size_t turns,
                const recording::AngleDoubt& doubt) {
-  // Noise of the keyphasor moves even marks that have readings on their edges.
+  // Noise of the keyphasor shifts even those marks that have readings on their edges.
   constexpr double most_noise_turns = 0.02;
   double room = 0;
   for (std::size_t k = 0; k < doubt.low_turns.size(); ++k)
@@ -95,6 +96,8 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
              2 * std::numbers::pi * order *
                  static_cast<double>(turns - std::min(turns, std::size_t{most_aperiodic_turns}))});
   }
+  if (reading.integration.times > 0)
+    std::ranges::stable_sort(lines, std::greater{}, &DiscreteLine::amplitude_m);
   return lines;
 }
 
@@ -121,7 +124,7 @@ std::optional<double> room_of_period(std::span<const Complex> samples, std::size
       continue;
     const double doubt = most_deviations * line.order_uncertainty;
     if (off > doubt + most_turned * bin) return std::nullopt;
-    // Only multiples that no shorter period has tell something about this period.
+    // A multiple that a shorter period has, too, says nothing about this period.
     if (std::gcd(nearest(line), static_cast<long>(period)) == 1) room = std::min(room, off + doubt);
   }
   return room;
@@ -130,27 +133,6 @@ std::optional<double> room_of_period(std::span<const Complex> samples, std::size
 bool may_be_torus(const Verdict& verdict) {
   constexpr double most_turned = 0.1;
   return verdict.order_room.value_or(0) > most_turned * bin_of(static_cast<std::size_t>(verdict.turns));
-}
-
-std::vector<Complex> displacement_of(std::vector<Complex> samples, int turns,
-                                     const recording::Integration& integration,
-                                     response::spectrum::SpectrumWorkspace& workspace) {
-  if (integration.times == 0) return samples;
-  const auto lines = response::spectrum::transform(samples, workspace);
-  const auto count = static_cast<int>(samples.size());
-  for (int k = 0; k < count; ++k) {
-    const double order = static_cast<double>(2 * k < count ? k : k - count) / turns;
-    const bool kept = 2 * k != count && std::abs(order) >= integration.lowest_order;
-    // The inverse transform is the conjugate of the transform of the conjugates.
-    samples[static_cast<std::size_t>(k)] =
-        kept
-            ? std::conj(lines[static_cast<std::size_t>(k)] / std::pow(Complex(0, order), integration.times)) /
-                  static_cast<double>(count)
-            : Complex();
-  }
-  const auto back = response::spectrum::transform(samples, workspace);
-  std::ranges::transform(back, samples.begin(), [](Complex z) { return std::conj(z); });
-  return samples;
 }
 
 void add_uncertainties(const Reading& reading, Verdict& verdict) {

@@ -11,13 +11,13 @@
 
 namespace rubsweep::scope {
 
-/// Number of turns, at the end of a motion without a period, whose lines are in the table.
+/// Number of turns at the end of a motion without a period; only their lines are in the table.
 inline constexpr int most_aperiodic_turns = 64;
 
 /// Highest order at which interpolation of the readings does not change the noise.
 double most_order_looked_at(const Reading& reading);
 
-/// Number of turns, at the end of the motion, in which lines between the bins are resolved.
+/// Number of turns at the end of the motion; lines between the bins are computed from them.
 inline constexpr std::size_t most_resolved_turns = 128;
 
 /// Amplitude from which on a line at order 1 stands out of the noise, and floor of all orders.
@@ -32,22 +32,17 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const std::complex<double>
                                             LeastLine least,
                                             response::spectrum::SpectrumWorkspace& workspace);
 
-/// Possible distance, in orders, of a motion's visible lines from the multiples of 1 / period, including two
-/// standard uncertainties; the most accurate line decides. Only lines within a bin of a multiple count. Empty
-/// where one of them is farther away than this uncertainty and 1/50 turn over the recording. Of several lines
-/// near one multiple the largest counts; lines nearest to a whole order do not count.
+/// Largest possible distance, in orders, of a motion's visible lines from the multiples of 1 / period,
+/// including two standard uncertainties. It comes from the most accurate line. Only lines within a bin of a
+/// multiple are used; of several lines near one multiple, only the largest; and none that are nearest to a
+/// whole order. Empty where one of the lines is farther away than this uncertainty and 1/50 turn over the
+/// recording.
 std::optional<double> room_of_period(std::span<const std::complex<double>> samples,
                                      std::size_t samples_per_revolution, const Reading& reading, int period,
                                      LeastLine least, response::spectrum::SpectrumWorkspace& workspace);
 
-/// Displacement over whole turns of samples that are its derivatives (Recording::measured_m): each line over
-/// (i order)^times, those below the lowest order left out.
-std::vector<std::complex<double>> displacement_of(std::vector<std::complex<double>> samples, int turns,
-                                                  const recording::Integration& integration,
-                                                  response::spectrum::SpectrumWorkspace& workspace);
-
 /// Sets the uncertainty of every line in the table: noise and interpolation error. In a motion without a
-/// period, a bin also has its distance from the line that stands there, or the leakage of other lines.
+/// period, a bin also has the distance from its line, or the leakage of other lines if it has none.
 void add_uncertainties(const Reading& reading, Verdict& verdict);
 
 }  // namespace rubsweep::scope

@@ -16,7 +16,8 @@ struct Circle {
   double radius = 1, lowest = -2;
 };
 
-/// A point of the circle; argument-dependent lookup finds its position, without hiding the one of orbits.
+/// A point of the circle. Argument-dependent lookup finds its function for the position, and does not hide
+/// the function of orbits.
 struct CirclePoint {
   Eigen::VectorXd at, tangent;
   double arclength = 0;

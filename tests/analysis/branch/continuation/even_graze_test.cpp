@@ -219,7 +219,7 @@ TEST_F(EvenGrazeOf, ARingJustOffTheCentre) {
     const HalfBranch half = follow(problem, *start, options);
     const auto grazes = grazes_of(half.events);
     ASSERT_FALSE(grazes.empty()) << offset;
-    // As above, with (1 - offset) |1 - W^2 + 2 i zeta W| = e W^2.
+    // The graze is at (1 - offset) |1 - W^2 + 2 i zeta W| = e W^2.
     Rotor nearer = rotor;
     nearer.unbalance /= 1 - offset;
     const double error = std::abs(grazes.front().point.parameter - nearer.grazing_speed(false));

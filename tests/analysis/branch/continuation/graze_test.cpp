@@ -70,8 +70,8 @@ TEST_F(GrazeTwoMasses, TorusDoublingsAndFold) {
   EXPECT_EQ(branch_.ending, Ending::left_range);
 }
 
-/// Only damping contracts volumes: with an undamped contact the product of the multipliers is exp(-trace(D)
-/// T).
+/// With an undamped contact only the dampers contract volumes in the state space: the product of the
+/// multipliers is exp(-trace(D) T).
 TEST_F(GrazeTwoMasses, ProductOfTheMultipliers) {
   for (const BranchPoint& point : branch_.points) {
     const double expected = std::exp(-0.09 * 2 * std::numbers::pi / point.parameter);
@@ -95,7 +95,7 @@ TEST_F(GrazeTwoMasses, MultipliersAtAPublishedSpeed) {
   EXPECT_NEAR(at->multipliers(2).imag(), 0.5425, 5e-5);
 }
 
-/// Every point of the branch is an orbit of the scene by every measure.
+/// The facts of every point of the branch agree with each other.
 TEST_F(GrazeTwoMasses, FactsOfItsOrbits) {
   for (const BranchPoint& point : branch_.points) {
     EXPECT_TRUE(point.facts.feasible);

@@ -53,8 +53,8 @@ sweep::Grid row_of(std::size_t cells) {
 
 std::vector<Quiet> no_quiet_motion(std::size_t cells) { return std::vector<Quiet>(cells, Quiet::touches); }
 
-/// Five cells in a row: the first two belong to family 0, whose orbit continues into the third and folds
-/// before the fourth. The orbit of the last cell could not be followed.
+/// Five cells in a row. The first two belong to family 0, whose orbit continues into the third cell and ends
+/// in a fold before the fourth. The orbit of the last cell could not be followed.
 TEST(Attribution, BasinCeasesAndUnresolved) {
   const sweep::Grid grid = row_of(5);
   const std::array<std::string, 5> labels{"subharmonic_2", "subharmonic_2", "non_contact", "chaotic",
@@ -76,8 +76,8 @@ TEST(Attribution, BasinCeasesAndUnresolved) {
   EXPECT_EQ(ceases[0].kind, "fold");
 }
 
-/// One of two neighbouring orbits continues into the other's cell: the motion that the map shows there still
-/// ceases.
+/// Cells A and B are neighbours. The orbit of A continues into B, but the orbit of B does not continue into
+/// A: the edge is named after the orbit that ends.
 TEST(Attribution, WhatCeasesOnOneSideIsStronger) {
   const sweep::Grid grid = row_of(2);
   const std::array<std::string, 2> labels{"subharmonic_2", "subharmonic_4"};
@@ -88,8 +88,8 @@ TEST(Attribution, WhatCeasesOnOneSideIsStronger) {
   EXPECT_EQ(edges[0].kind, "period_halving");
 }
 
-/// The quiet motion counts like a followed one: beside chaos it exists on both sides; where its whirl would
-/// touch or grow, it ceases. If the other motion ceases, that decides.
+/// The quiet motion is treated like a followed orbit. Next to chaos the quiet motion exists on both sides;
+/// where its whirl would touch or grow, it ceases. If the other motion ceases, the edge is named after that.
 TEST(Attribution, TheQuietMotion) {
   const sweep::Grid grid = row_of(5);
   const std::array<std::string, 5> labels{"chaotic", "non_contact", "subharmonic_2", "non_contact",
@@ -155,8 +155,8 @@ CheckResult finding_outside(const Families& families) {
   return CheckResult::reached;
 }
 
-/// The half orbit divided into two families: the first one ends before cell 3 with the event `end`, the
-/// second one has that cell.
+/// The half orbit divided into two families. The first family ends before cell 3 with the event `end`; cell 3
+/// belongs to the second family.
 Families parted(std::string_view end) {
   const Family& whole = half_orbit().list.at(0);
   Family first{2, {{2, whole.orbits.at(2)}}, {{2, 3, 80, 0.4, end}}, {2}};
@@ -176,7 +176,8 @@ TEST(AttributionContradictions, TheMachineStaysWhereItsOrbitIsStable) {
   }
 }
 
-/// The machine leaves a state that is on no orbit at once: here the rest state instead of the quiet motion.
+/// A machine that starts from a state on no orbit leaves this state. Here the state is the rest state instead
+/// of the quiet motion.
 TEST(AttributionContradictions, TheMachineLeavesWhatIsNoOrbit) {
   Families families = half_orbit();
   families.list[0].orbits.at(1).state.setZero();
@@ -201,7 +202,7 @@ TEST(AttributionContradictions, ALabelOutsideWithoutAnOrbit) {
   EXPECT_EQ(found[3].finding, CheckResult::not_found);
   EXPECT_EQ(found[4].finding, CheckResult::not_found);
   EXPECT_EQ(found[4].family, std::nullopt);
-  // A label of another kind is not examined.
+  // A label of another kind than that of the family is not examined.
   with_outside[4] = "subharmonic_3";
   EXPECT_EQ(check(half_orbit(), with_outside).size(), 3u);
 }

@@ -217,7 +217,7 @@ TEST(FamilyOutline, NoneAroundTheWholeMap) {
   EXPECT_TRUE(outline_of(grid(), family_in({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})).empty());
 }
 
-/// Two cells that touch only in a corner: each end belongs to exactly one line.
+/// Two cells that touch only in a corner: no end of the family is missing in the outline.
 TEST(FamilyOutline, CellsThatMeetInACorner) {
   const Family family = family_in({0, 5});
   std::size_t ends = 0;

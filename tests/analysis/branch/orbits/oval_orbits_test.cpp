@@ -135,8 +135,8 @@ TEST(OvalOrbits, DoubleLoopInTheRing) {
     EXPECT_NEAR(radius_at(problem, branch, speed).value_or(0), radius, 1e-4) << speed;
 }
 
-/// Damping fixes the product of the multipliers on every orbit: exp(-4 zeta T), where the trivial one is 1.
-/// The two zeros belong to the shift and the time.
+/// On every orbit the damping determines the product of the multipliers, exp(-4 zeta T); the trivial
+/// multiplier in it is 1. Two multipliers are zero: those of the shift along the orbit and of the time.
 TEST(OvalOrbits, SectionsOfTheDoubledSingleLoop) {
   const auto start = at_five(ring_problem(4.2, 6.3), -0.704301, -0.464544, 2.512046, 1.197679);
   ASSERT_TRUE(start);

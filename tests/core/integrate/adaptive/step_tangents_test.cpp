@@ -1,5 +1,5 @@
-// Tangent vectors beside contacts whose law is not linear, against differences of the equations in long
-// double and against the exact solver, whose contacts a law with the exponent 1 repeats.
+// Tangent vectors at contacts with nonlinear laws. They are compared with differences of the equations in
+// long double, and, for a nonlinear law with the exponent 1, with the exact solver.
 #include "rubsweep/core/integrate/adaptive/step_tangents.hpp"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,9 @@ using namespace test_curved;
 
 run::SolverOptions tight() { return {.relative_tolerance = 1e-12}; }
 
-/// Largest difference between tangent vectors of the exact solver and of the same contacts by a curved law
-/// with the exponent 1, over the norm of these, in `turns` turns that each begin where the exact one does.
+/// Largest difference between the tangent vectors of the exact solver and those of the same contacts by a
+/// curved law with the exponent 1, divided by the norm of the exact ones. Each of the `turns` turns begins at
+/// the section of the exact solver.
 double difference_from_exact(const std::vector<scene::Contact>& contacts, double force_n, int turns,
                              int& hits, int& stuck) {
   std::vector<scene::Contact> curved = contacts;
@@ -43,7 +44,7 @@ double difference_from_exact(const std::vector<scene::Contact>& contacts, double
     largest =
         std::max(largest, (*b.tangent_vectors.get() - expected).cwiseAbs().maxCoeff() / expected.norm());
     hits += a.hits;
-    stuck += std::abs(expected.determinant()) < 1e-9;  // a contact that sticks takes a rank away
+    stuck += std::abs(expected.determinant()) < 1e-9;  // the matrix loses a rank where a contact sticks
     from = a.section;
   }
   return largest;
@@ -73,7 +74,7 @@ TEST(StepTangents, ExponentOneHasThoseOfTheExactSolver) {
   }
 }
 
-/// Contacts that stick, and let go, where the rate jumps.
+/// Contacts that stick and let go. At these instants the rate of the state jumps.
 TEST(StepTangents, CrossTheJumpsOfDryFriction) {
   const model::Friction frictions[] = {model::ConstantFriction{0.4}, model::StaticFriction{0.5, 0.3}};
   for (const model::Friction& friction : frictions) {
@@ -88,8 +89,8 @@ TEST(StepTangents, CrossTheJumpsOfDryFriction) {
   }
 }
 
-/// Two contacts and three directions: what one vector does does not depend on the others, and the motion on
-/// none.
+/// Two contacts and three directions. No vector depends on the others, and the motion does not depend on the
+/// vectors.
 TEST(StepTangents, WatchingDoesNotMoveTheRotor) {
   scene::Contact wall = linear_contact(contact::FlatWall{{0, 1}}, model::ConstantFriction{0.1}, 8);
   scene::Contact ring = linear_contact(contact::AnnularWall{}, model::ConstantFriction{0.2}, 8);
@@ -109,7 +110,8 @@ TEST(StepTangents, WatchingDoesNotMoveTheRotor) {
     ASSERT_EQ(watched.advance(asked, b), run::Outcome::ok);
     EXPECT_EQ(a.section, b.section);
     EXPECT_EQ(a.tangent_vectors.get(), nullptr);
-    // A section in contact does not say how it began, and no vectors are better than wrong ones.
+    // A section in contact does not show how the contact began. No vectors are returned then, since they
+    // would be wrong.
     if (began_touching) {
       EXPECT_EQ(b.tangent_vectors.get(), nullptr);
     }
@@ -119,7 +121,7 @@ TEST(StepTangents, WatchingDoesNotMoveTheRotor) {
   EXPECT_GT(moved, 3);
 }
 
-/// A vector that goes on from turn to turn takes the change of the damping along, also where turns begin in
+/// A vector that continues from turn to turn includes the change of the damping, also if turns begin in
 /// contact.
 TEST(StepTangents, GoOnInAContactThatRemembersHowItBegan) {
   scene::Contact wall = linear_contact(contact::FlatWall{{0, 1}}, model::ConstantFriction{0.1}, 8);
@@ -163,8 +165,9 @@ TEST(StepTangents, GoOnInAContactThatRemembersHowItBegan) {
   EXPECT_GT(touching, 2);
 }
 
-/// Largest difference of the change of a section by one disturbance of the start, over its size; negative
-/// where a contact that remembers how it began touches at the end of the turn.
+/// A disturbance of the start changes the section at the end. Returns the largest difference between this
+/// change and the tangent vector, relative to the change. Negative if at the end of the turn a contact
+/// touches whose damping depends on its own impact.
 double error_of_derivative(unsigned seed) {
   const RandomMachine machine(seed);
   exact::modes::ModeCache modes;

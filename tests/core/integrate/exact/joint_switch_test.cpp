@@ -49,7 +49,8 @@ TEST(JointSwitchModeBehind, AHitIsClampedAndItsSlipGoesAsItDoesThere) {
   EXPECT_EQ(AtTheWall(-5, 100).behind(0, 0), modes::in_joint_mode(Mode::clamped, 0) + backward);
 }
 
-/// The surface moves forward, but the contact began with a backward slip: it keeps this direction.
+/// The surface moves forward, but the contact began with a backward slip: the mode keeps the direction
+/// backward.
 TEST(JointSwitchModeBehind, AContactThatStaysKeepsTheWayOfItsSlip) {
   AtTheWall wall(5, 0);
   wall.here(1) = 1.01;

@@ -78,7 +78,7 @@ TEST(TurnWatch, FindsThePeakWithAndWithoutSamples) {
   }
 }
 
-/// Only peaks require short steps, where no samples lie between their ends.
+/// Only peaks require short steps; between the ends of these steps there are no samples.
 TEST(TurnWatch, ShortensStepsForPeaksAlone) {
   Vibration vibration;
   run::TurnReport report;

@@ -281,8 +281,8 @@ TEST(Approach, AsksForReturnsInARowAndForHalfTheDistance) {
 }
 
 /// Slow direction of an orbit near a fold, x' = c x - a x^2, with an unstable orbit at -(1 - c) / a. `follow`
-/// starts at `x`; it returns the number of returns (at most `most`) until the test passes, and the distance
-/// left then.
+/// starts at `x`. It returns the number of turns of the map until the test passes (at most `most`), and the
+/// distance at that time.
 struct Fold {
   double contraction = 0.995, bend = 1;
 
@@ -302,7 +302,8 @@ struct Fold {
 
 TEST(Approach, BesideAFoldAGainThatLastsIsEnough) {
   const Fold fold;
-  // On the attracting side the test passes long before 10 % of the gain is predicted (below 5e-4).
+  // On the attracting side the test passes long before the error of the prediction falls to 10 % of the gain,
+  // which happens at a distance of 5e-4.
   const auto [returns, left] = fold.follow(0.1, 2000);
   EXPECT_GT(left, 1e-3);
   EXPECT_GE(returns, 138);  // ln 2 / 0.005

@@ -109,7 +109,8 @@ TEST(OrbitBall, FartherOutOtherModesOccur) {
   EXPECT_GT(others, 0);
 }
 
-/// A vibration along the wall may use a ball much larger than one that treats all directions alike.
+/// With separate radii the ball for a vibration along the wall is much larger than a ball with one radius for
+/// all directions.
 TEST(OrbitBallSplit, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
   HalfMotion motion;
   const auto norms = split_norms(motion.orbit.transitions, seen_by_contacts(motion.scene));

@@ -51,7 +51,8 @@ TEST(SectionMapScene, EndsWithItsBudget) {
   }
 }
 
-/// A section in contact does not say how that contact began, which decides the turn after it.
+/// A section in contact does not contain the speed at which the contact began, which determines the following
+/// turn.
 TEST(SectionMapScene, AContactDampedByItsOwnImpactIsFollowedInTheAirAlone) {
   namespace curved = integrate::test_curved;
   const integrate::run::SolverOptions solver{.relative_tolerance = 1e-12};

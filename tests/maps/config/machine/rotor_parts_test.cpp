@@ -84,7 +84,7 @@ TEST(RotorParts, ProblemsOfGeometryHaveTheirPlaces) {
            "density_kg_per_m3: 1}}]"})
           .find("given beside"),
       std::string::npos);
-  // Written over the numbers of a file it takes their place.
+  // A matrix that is written over the numbers of a file replaces these numbers.
   EXPECT_EQ(
       kit_message({"rotor.discs.0.geometry={outer_diameter_m: 0.1, width_m: 0.01, density_kg_per_m3: 1}"})
           .find("given beside"),

@@ -13,7 +13,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Keys left of a map with these after `written` is about to be written over it.
+/// A map has the keys `keys`. Returns the keys that remain when `written` is about to be written over the
+/// map.
 std::string left_after(std::string_view written, const Names& keys = {"stribeck", "kinetic", "from", "other"},
                        const Alternatives& alternatives = run_alternatives()) {
   Node map{Node::Kind::map, SourcePosition{}};
@@ -69,7 +70,7 @@ TEST(Alternatives, WhatAnOverrideGaveStandsBesideTheNextOne) {
 }
 
 TEST(Alternatives, TheKeysOfAMapTellItsKind) {
-  // Degrees of freedom have nodes and places, an unbalance one of them.
+  // A degree of freedom has both a node and a place, an unbalance has one of the two.
   EXPECT_EQ(left_after("position_m", {"node", "direction"}), "node direction ");
   EXPECT_EQ(left_after("position_m", {"node", "mass_kg", "eccentricity_ratio"}),
             "mass_kg eccentricity_ratio ");

@@ -87,7 +87,8 @@ TEST(CandidateMarginalsMarginal, AnglesGoRound) {
 }
 
 struct Calibration {
-  double inside = 0, below_middle = 0;  ///< shares of trials by where the true value lies
+  /// shares of trials whose true value is inside the interval, or below its middle
+  double inside = 0, below_middle = 0;
 };
 
 /// Simulation-based calibration with a known posterior: weighted draws from it, and one more draw as the true

@@ -43,8 +43,8 @@ Eigen::VectorXd half_period_difference(const BranchPoint& point) {
 bool opposite(double a, double b) { return (a < 0) != (b < 0); }
 
 /// Locates an orbit where the branch joins the branch of half its period. The branch crosses itself there, so
-/// that Newton's iteration on it is inaccurate. The orbit of half the period is regular there and has a
-/// period doubling, which can be located to rounding.
+/// that Newton's iteration for the whole period is inaccurate. The orbit of half the period is regular there.
+/// It has a period doubling, which can be located to rounding.
 void sharpen_halving(const orbits::OrbitProblem& problem, BranchEvent& halving) {
   constexpr double reach = 1e-4;  ///< half-width of the searched range, in units of the parameter's scale
   if (!problem.half_returns) return;
@@ -68,7 +68,7 @@ void sharpen_halving(const orbits::OrbitProblem& problem, BranchEvent& halving) 
     halving.point.parameter = (below + above) / 2;
     halving.parameter_error = (above - below) / 2;
   } catch (const NotContinuous&) {
-    return;  // the event keeps the place found first
+    return;  // the event keeps the position that was found first
   }
 }
 
@@ -80,7 +80,7 @@ class Finder {
     if (!(segment_.length() > 0)) throw NotContinuous{};
   }
 
-  /// Orbit at which the step is divided because one of the test functions may have two roots in the step.
+  /// Orbit that divides the step in two, because one of the test functions may have two roots in the step.
   std::optional<BranchPoint> between_a_pair(bool every_graze) const {
     if (segment_.length() < shortest_parted || is_about_half_period()) return std::nullopt;
     auto share = share_of_a_pair();
@@ -112,8 +112,8 @@ class Finder {
   }
 
   /// Position in the step at which a test function may have two roots. Functions of the multipliers are
-  /// approximated by cubics through their values and slopes. The tangent's parameter component, the fold
-  /// function, follows from its values at both ends and the change of the parameter.
+  /// approximated by cubics through their values and slopes. The fold function (the tangent's parameter
+  /// component) is approximated from its values at both ends and the change of the parameter.
   std::optional<double> share_of_a_pair() const {
     const double length = segment_.length(), cosine = from_.tangent.dot(to_.tangent);
     if (!(cosine > 0)) return std::nullopt;
@@ -149,8 +149,8 @@ class Finder {
     return has_half_period() && half_period_difference(from_).dot(half_period_difference(to_)) < 0;
   }
 
-  /// Finds where the branch joins the branch of half the period. Behind it the branch runs back, shifted by
-  /// half a period, and this turning point is no fold.
+  /// Finds where the branch joins the branch of half the period. Beyond this point the branch repeats itself
+  /// backwards, shifted by half a period, so the turning point is no fold.
   bool joins_half_period() {
     if (!has_half_period()) return false;
     const Eigen::VectorXd before = half_period_difference(from_).normalized();
@@ -177,8 +177,8 @@ class Finder {
     return std::ranges::find(events_, kind, &BranchEvent::kind) != events_.end();
   }
 
-  /// Whether the multipliers that cross the unit circle at the events found, alone or in pairs, explain the
-  /// change of `unstable`.
+  /// Whether the events found explain the change of `unstable`: their multipliers cross the unit circle alone
+  /// or in pairs.
   bool stability_explained() const {
     const int turns = has(EventKind::fold) || has(EventKind::branch_point);
     const int single = turns + has(EventKind::period_halving) + has(EventKind::period_doubling);
@@ -201,7 +201,7 @@ class Finder {
   std::vector<BranchEvent> events_;
 };
 
-/// `parted`: number of divisions of the step so far.
+/// `parted`: number of times that the step was divided so far.
 std::vector<BranchEvent> events_of_piece(const orbits::OrbitProblem& problem, const BranchPoint& from,
                                          const BranchPoint& to, bool every_graze, int parted) {
   Finder finder(problem, from, to);

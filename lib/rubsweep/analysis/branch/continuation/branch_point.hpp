@@ -12,14 +12,14 @@
 
 namespace rubsweep::branch::continuation {
 
-/// Smooth functions of the multipliers, each zero where one multiplier is +1 or -1, or where a pair has the
-/// product 1. Also used for the slopes of these functions along a branch.
+/// Smooth functions of the multipliers: zero where a multiplier is +1, where one is -1, or where a pair has
+/// the product 1. The struct also holds the slopes of these functions along a branch.
 struct MultiplierTests {
   double unit = 0, doubling = 0, torus = 0;
 };
 
-/// Function that varies smoothly along a branch. Its zero marks a change in the sequence of contact modes.
-/// Each margin belongs to one place of the orbit.
+/// Function that varies smoothly along a branch and belongs to one place of the orbit. Its zero marks a
+/// change in the sequence of contact modes.
 struct Margin {
   enum class Kind {
     approach,  ///< distance of an Approach
@@ -37,8 +37,9 @@ struct Margin {
   }
 };
 
-/// Step of central differences by the parameter, in its coordinate. The noise of a turn, 1e-13, and the
-/// truncation error both cause errors near 1e-7. Steps beside a graze are smaller, as they must not cross it.
+/// Step of central differences by the parameter, in its coordinate. The noise of a turn (1e-13) and the
+/// truncation error each cause errors near 1e-7. Near a graze the step is smaller, because it must not cross
+/// the graze.
 inline constexpr double usual_difference_step = 1e-6;
 
 /// Orbit on a branch. Continuation measures lengths in the coordinates (state / sqrt(states), parameter /
@@ -66,7 +67,8 @@ enum class EventKind {
   fold,             ///< the branch turns back in the parameter: a multiplier passes +1
   period_doubling,  ///< a multiplier passes -1
   neimark_sacker,   ///< a pair of complex multipliers leaves or enters the unit circle: a torus
-  branch_point,  ///< a multiplier passes +1 while the parameter goes on: a symmetry breaks, or branches cross
+  /// a multiplier passes +1, but the parameter does not turn back: a symmetry breaks, or branches cross
+  branch_point,
   period_halving,  ///< the branch joins the branch of half its period, and runs back shifted by half a period
   graze,           ///< a hit or a pair of changes of contact mode appears or disappears
   sequence,        ///< any other change of the sequence of contact modes
@@ -88,15 +90,15 @@ struct BranchEvent {
 enum class Ending {
   left_range,      ///< the parameter reaches the end of its range; the last point is there
   closed,          ///< back at the start: the branch is a closed curve
-  off_the_walls,   ///< no contact any more behind a graze: the orbit is the quiet motion from here on
+  off_the_walls,   ///< the contact ends at a graze: beyond it the orbit is the quiet motion
   period_halving,  ///< the branch joins the branch of half its period
-  infeasible,      ///< no machine or scene exists beyond
+  infeasible,      ///< there is no machine or scene for parameters beyond
   failed,          ///< the solver cannot make a turn
   step_too_small,  ///< Newton's iteration finds no orbit even close to the last one
   singular,        ///< the tangent of the branch cannot be determined
   point_limit,
   resonance,     ///< curve of tori: at a 1:1 or 1:2 resonance both multipliers become real
-  unfolds,       ///< curve of branch points: branches cross no longer as the second parameter changes
+  unfolds,       ///< curve of branch points: branches no longer cross when the second parameter changes
   first_change,  ///< stability changed, and `stop_at_first_change` was set
   target,        ///< the wanted parameter is reached
 };

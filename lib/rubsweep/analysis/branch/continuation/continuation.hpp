@@ -28,8 +28,8 @@ class StepControl {
     return step_ >= shortest_;
   }
 
-  /// Whether a correction is so far from its guess that it may have found another branch, or a distant part
-  /// of this one.
+  /// Whether a correction is so far from its guess that it may lie on another branch, or on a distant part of
+  /// this branch.
   bool is_far(double from_guess) const { return from_guess > 0.2 * step_; }
 
   /// Whether the curve turns too much in one step. `cosine`: cosine of the angle between the tangents at both
@@ -50,9 +50,9 @@ class StepControl {
 /// ends:
 /// - Problem, Point, Event, Half (points, events, ending), Correction: its types;
 /// - problem(): see Segment;
-/// - easy_iterations: the step grows if Newton's iteration needs no more iterations than this;
+/// - easy_iterations: the step grows if Newton's iteration needs no more iterations than this number;
 /// - holds(correction): whether a correction lies in the range of the parameters;
-/// - correct_at_edge(here, correction): Newton's iteration on the edge of that range, which the step to
+/// - correct_at_edge(here, correction): Newton's iteration on the edge of this range, which the step to
 ///   `correction` has crossed; empty where `here` is on the edge already;
 /// - refuses(here, next): reason why `next` cannot be the point after `here`, or empty;
 /// - prepare(next): adds the data that the search for events needs;
@@ -150,7 +150,8 @@ class Continuation {
     if (take(std::move(*last)) && !ended_) end(Ending::left_range);
   }
 
-  /// Takes `next` as the next point. False, with a shorter step, where `next` does not follow `here`.
+  /// Accepts `next` as the next point. Where `next` does not follow `here`, shortens the step and returns
+  /// false.
   bool take(Point next) {
     if (const std::optional<Ending> refusal = task_.refuses(here(), next)) {
       shorten(*refusal);
@@ -167,7 +168,7 @@ class Continuation {
     return true;
   }
 
-  /// Adds events up to one at which the curve ends. Returns whether there was one.
+  /// Adds the events up to the first one that ends the curve. Returns whether an event ends it.
   template <class Events>
   bool add_events(Events events) {
     for (auto& event : events) {
@@ -218,8 +219,8 @@ struct BothWays {
   Ending backward = Ending::left_range;
 };
 
-/// `half` in reverse order with negative arclengths. Leaves out the start, which is the first point of the
-/// other half.
+/// `half` in reverse order with negative arclengths, without the start, which is the first point of the other
+/// half.
 template <class Half>
 Half reversed(Half half) {
   half.points.erase(half.points.begin());

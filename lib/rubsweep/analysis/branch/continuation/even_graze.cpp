@@ -44,7 +44,8 @@ struct Node {
   VectorXd at;
 };
 
-/// Value at the penetration `to` of the polynomial in the penetration through the last `count` nodes.
+/// Value at the penetration `to` of the polynomial in the penetration that passes through the last `count`
+/// nodes.
 VectorXd extrapolated(const std::vector<Node>& nodes, std::size_t count, double to) {
   count = std::min(count, nodes.size());
   const std::size_t first = nodes.size() - count;
@@ -110,7 +111,7 @@ class EvenGrazeSearch {
     Position guess = begin_ + (wanted - nodes_.front().penetration) / slope_ * here_.tangent;
     if (nodes_.size() > 1) guess = extrapolated(nodes_, extrapolated_from, wanted).head(begin_.size());
     if (here_.tangent.dot(guess - begin_) > farthest) return false;
-    // Differences by the parameter must not cross the graze.
+    // The orbits of a difference by the parameter must all lie on one side of the graze.
     const double step = std::clamp(size, 1e-8, usual_difference_step);
     last_ = correct(problem_, guess, here_.tangent, step);
     if (!last_.converged) return false;
@@ -121,8 +122,7 @@ class EvenGrazeSearch {
     return true;
   }
 
-  /// Position of the orbit after one more Newton step. The step after that one measures the effect of
-  /// rounding.
+  /// Position of the orbit after one more Newton step. A second extra step measures the effect of rounding.
   Position polished(double difference_step) {
     Position at = position_of(problem_, last_);
     const VectorXd step = next_step(problem_, last_.point, here_.tangent, difference_step);
@@ -162,8 +162,8 @@ class EvenGrazeSearch {
   }
 
   /// Finds an orbit on the other side of the corner. Newton's iteration starts from a point on the tangent of
-  /// that side. The tangent is computed at a state extrapolated to that side, where the contact is open, or
-  /// closed, all along the orbit.
+  /// that side. This tangent is computed at a state extrapolated to that side, where the contact is open, or
+  /// closed, along the whole orbit.
   std::optional<BranchPoint> beyond_by_tangent(const Position& corner) const {
     BranchPoint there = here_;
     there.parameter = parameter_of(problem_, corner);
@@ -203,8 +203,8 @@ class EvenGrazeSearch {
     return std::nullopt;
   }
 
-  /// Takes the facts at the graze itself. Whether the orbit touches there is taken from the orbit behind the
-  /// graze.
+  /// Sets the facts at the graze itself. Whether the orbit touches at the graze is taken from the orbit
+  /// beyond it.
   void take_facts(const std::optional<BranchPoint>& beyond, BranchPoint& point) const {
     if (auto facts = problem_.facts(point.parameter, point.state)) point.facts = std::move(*facts);
     if (beyond) {

@@ -25,8 +25,8 @@ bool in_range(const orbits::OrbitProblem& problem, double parameter) {
   return parameter >= problem.low && parameter <= problem.high;
 }
 
-/// Whether the turns begin in the same state before the period ends. The tolerance is the error that Newton's
-/// iteration leaves near the point where a branch joins one of a shorter period.
+/// Whether the turns of the orbit repeat before its period ends. The tolerance is the error of Newton's
+/// iteration near the point where a branch joins a branch of a shorter period.
 bool repeats_sooner(const BranchPoint& point) {
   constexpr double same = 1e-6;
   const auto& sections = point.facts.sections;
@@ -62,7 +62,7 @@ class OrbitTask {
     return last;
   }
 
-  /// Refuses a step onto an orbit whose turns repeat sooner: every orbit also solves the equations of twice
+  /// Refuses a step onto an orbit of a shorter period. Every such orbit also solves the equations of twice
   /// its period, so that such a step has left the branch.
   static std::optional<Ending> refuses(const BranchPoint& here, const BranchPoint& next) {
     if (repeats_sooner(next) && !repeats_sooner(here)) return Ending::step_too_small;

@@ -17,7 +17,7 @@ namespace {
 constexpr double width_wanted = 1e-12;  ///< length along the branch
 constexpr int most_looks = 200;
 constexpr std::size_t most_grazes = 16;  ///< limit between two points
-/// A longer stretch, in shaft rotation, is not close to its graze yet.
+/// Longest stretch, in shaft rotation, that counts as close to its graze.
 constexpr double short_stretch_rad = 0.3;
 
 using OrbitSegment = Segment<orbits::OrbitProblem, BranchPoint>;
@@ -64,8 +64,8 @@ class GrazeSearch {
   }
 
   /// Next distance s to evaluate. The root of the squared duration is extrapolated linearly from the last two
-  /// orbits on the richer side. The first target lies slightly on the richer side of the root, to bring that
-  /// side close; the next lies just beyond the root, to bring the other side close.
+  /// orbits on the richer side. The first target lies slightly before the root, so that the end of the
+  /// interval on the richer side comes close. The next target lies just beyond the root, for the other end.
   double next_by_root(const orbits::SequenceChange& change) {
     const double middle = (low_.s + high_.s) / 2, s = richer().s;
     const double value = change.duration_rad * change.duration_rad;
@@ -79,8 +79,8 @@ class GrazeSearch {
       aims_ = 0;
     }
     if (!(root_ > low_.s && root_ < high_.s) || aims_ > 3) return middle;
-    // Targets at 1/100, then 1/20 of the richer side's distance from the root, first on its side, then on the
-    // other.
+    // Targets at 1/100, then 1/20 of the distance between the root and the last orbit of the richer side:
+    // first on the richer side of the root, then on the other.
     const double away = std::max(std::abs(s - root_) * 0.01 * std::pow(5, aims_ / 2), width_wanted / 4);
     const double aim = root_ + (aims_ % 2 == 0 ? 1 : -1) * (s > root_ ? away : -away);
     ++aims_;

@@ -9,11 +9,11 @@
 namespace rubsweep::branch::continuation {
 
 /// Changes of the sequence of contact modes between two points of a branch, by ascending arclength. Bisection
-/// by the sequence is used until a single stretch of changes appears or disappears. Its squared duration is
-/// smooth and zero at the graze. The root is extrapolated from the side that has the stretch, and enclosed by
-/// the sequences on both sides. If several changes coincide, or the sequences differ otherwise, bisection
-/// continues to the end and the kind is `sequence`. Empty where the branch between the points is not
-/// continuous.
+/// by the sequence ends when a single stretch of changes appears or disappears. The squared duration of this
+/// stretch is smooth and zero at the graze. Its root is extrapolated from the side that has the stretch, and
+/// enclosed by the sequences on both sides. If several changes coincide, or the sequences differ otherwise,
+/// bisection continues to the end and the kind is `sequence`. Empty where the branch between the points is
+/// not continuous.
 std::optional<std::vector<BranchEvent>> grazes_between(const orbits::OrbitProblem& problem,
                                                        const BranchPoint& from, const BranchPoint& to);
 

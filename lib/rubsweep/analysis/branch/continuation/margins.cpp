@@ -45,7 +45,8 @@ Extrema extrema_of(const Cubic& f) {
   return found;
 }
 
-/// Place where a function that begins positive may have two more roots than the signs at its ends show.
+/// Place where a function that is positive at the begin may have two more roots than its signs at the ends
+/// show.
 std::optional<double> dip_of(const Cubic& f) {
   const Extrema extrema = extrema_of(f);
   if (!extrema.lowest) return std::nullopt;
@@ -54,7 +55,7 @@ std::optional<double> dip_of(const Cubic& f) {
     if (lowest < near_zero * std::min(f.a, f.end())) return extrema.lowest;
     return std::nullopt;
   }
-  // The function becomes negative, comes back and becomes negative again.
+  // The function becomes negative, returns to positive values and becomes negative again.
   const bool comes_back =
       extrema.highest && *extrema.highest > *extrema.lowest && f.at(*extrema.highest) > near_zero * f.end();
   if (comes_back && lowest < near_zero * f.a) return extrema.lowest;
@@ -68,7 +69,7 @@ std::optional<double> dip_of_signed(Cubic f) {
 
 double period_of(const orbits::OrbitProblem& problem) { return 2 * std::numbers::pi * problem.order; }
 
-/// Stretch from the change `begin` to the change `end`, the next one in the closed sequence.
+/// Stretch from the change `begin` to the change `end`, which follows it in the closed sequence.
 Margin stretch_between(const ModeSwitch& begin, const ModeSwitch& end, double period_rad) {
   double duration_rad = end.phase_rad - begin.phase_rad;
   if (duration_rad <= 0) duration_rad += period_rad;
@@ -114,7 +115,7 @@ double distance_of_phases(double a, double b, double period_rad) {
   return std::abs(std::remainder(a - b, period_rad));
 }
 
-/// Margin of the same kind that is nearest in phase; null where there is none.
+/// Margin of the same kind that is nearest in phase; null where there is no other of this kind.
 const Margin* partner(const Margin& one, const std::vector<Margin>& all, double period_rad) {
   const Margin* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 constexpr numerics::NewtonLimits newton_limits{.iterations = 10, .free_iterations = 3, .growth = 1};
 constexpr double closed = 1e-12;        ///< return error of a converged orbit, per unit of the state's size
-constexpr double nearly_closed = 1e-9;  ///< tolerance where rounding or the solver allows no better
+constexpr double nearly_closed = 1e-9;  ///< tolerance where rounding or the solver permits no smaller error
 constexpr double finest_difference_step = 1e-9;
 constexpr double agreement = 1e-4;  ///< relative difference of derivatives at two step sizes
 
@@ -54,8 +54,8 @@ bool difference(const orbits::OrbitProblem& problem, const VectorXd& state, doub
   return one_sided_difference(problem, state, parameter, has_above ? step : -step, slope);
 }
 
-/// Derivative by the parameter at the largest step at which it agrees with the derivative at half that step.
-/// If a graze is nearer than the finest step, the one-sided difference with the best agreement is taken.
+/// Derivative by the parameter, with the largest step for which half the step gives the same derivative. If a
+/// graze is nearer than the finest step, the one-sided difference with the best agreement is taken.
 bool best_difference(const orbits::OrbitProblem& problem, BranchPoint& point, VectorXd& slope) {
   double least = std::numeric_limits<double>::infinity();
   VectorXd wide, narrow;
@@ -77,7 +77,7 @@ bool best_difference(const orbits::OrbitProblem& problem, BranchPoint& point, Ve
   for (const double side : {usual_difference_step, -usual_difference_step}) {
     if (one_sided_difference(problem, point.state, point.parameter, side, wide) &&
         one_sided_difference(problem, point.state, point.parameter, side / 2, narrow))
-      take(finest_difference_step, 1);  // cancels the error, which is linear in the step
+      take(finest_difference_step, 1);  // two steps cancel the error, which is linear in the step
   }
   return true;
 }
@@ -130,8 +130,8 @@ class OrbitIteration {
     return true;
   }
 
-  /// Continues a stalled iteration that still improves: beside a graze the derivative often belongs to other
-  /// contacts, and the error falls slowly.
+  /// Continues a stalled iteration while its error still falls. Near a graze the derivative often belongs to
+  /// other contacts, and the error then falls slowly.
   void improve() {
     constexpr int most_steps = 8;
     constexpr double nearer = 0.7;

@@ -50,26 +50,27 @@ Correction correct_between(const orbits::OrbitProblem& problem, const Position& 
 /// Newton's iteration for an orbit at a fixed parameter.
 Correction correct_at(const orbits::OrbitProblem& problem, const Eigen::VectorXd& state, double parameter);
 
-/// Next Newton step from a converged orbit, on the plane across `direction`. Its size estimates the error of
-/// the position by rounding. Not finite where it cannot be computed.
+/// Next Newton step from a converged orbit, on the plane across `direction`. The size of this step estimates
+/// the error of the position due to rounding. Not finite where it cannot be computed.
 Eigen::VectorXd next_step(const orbits::OrbitProblem& problem, const BranchPoint& point,
                           const Eigen::VectorXd& direction, double difference_step = usual_difference_step);
 
-/// Error of the parameter by rounding: size of the parameter component of next_step(). 0 where it cannot be
-/// computed.
+/// Error of the parameter due to rounding: size of the parameter component of next_step(). 0 where it cannot
+/// be computed.
 double rounding_of_parameter(const orbits::OrbitProblem& problem, const BranchPoint& point);
 
 /// Completes a converged orbit: its tangent on the side of `direction`, its multipliers and their counts. The
-/// derivative by the parameter is computed at two step sizes. These disagree where a step crosses a graze;
-/// smaller steps are then tried, and the pair with the best agreement is used. False where the tangent cannot
-/// be determined or the map cannot be differentiated.
+/// derivative by the parameter is computed at two step sizes. The two results differ where a step crosses a
+/// graze. Smaller steps are then tried, and the pair with the best agreement is used. False where the tangent
+/// cannot be determined or the map cannot be differentiated.
 bool complete(const orbits::OrbitProblem& problem, const Eigen::VectorXd& direction, BranchPoint& point);
 
-/// Completes an orbit that Newton's iteration found, with its facts and arclength; empty where that fails.
+/// Completes an orbit that Newton's iteration found, with its facts and arclength; empty where an orbit
+/// cannot be completed.
 std::optional<BranchPoint> completed(const orbits::OrbitProblem& problem, Correction found,
                                      const Eigen::VectorXd& direction, double arclength);
 
-/// Position itself, as the coordinates of an orbit contain no angle.
+/// Returns `position` itself, as the coordinates of an orbit contain no angle.
 inline const Position& nearest_image(const orbits::OrbitProblem&, const Position& position,
                                      const BranchPoint&) {
   return position;

@@ -17,8 +17,8 @@ struct PointAndTangent {
 };
 
 /// Guess for the point of a curve at the distance s along the tangent of `from`, by the cubic through both
-/// points and tangents. The guess lies only nearly at the distance s, as the tangents turn. `length`: length
-/// of the segment along the first tangent.
+/// points and tangents. The distance of the guess differs slightly from s, as the tangents turn. `length`:
+/// length of the segment along the first tangent.
 inline Eigen::VectorXd hermite_guess(const PointAndTangent& from, const PointAndTangent& to, double length,
                                      double s) {
   const double t = s / length, u = 1 - t;
@@ -32,13 +32,13 @@ inline Eigen::VectorXd hermite_guess(const PointAndTangent& from, const PointAnd
 struct NotContinuous {};
 
 /// Piece of a solution curve between two points, parametrised by the distance s along the tangent of the
-/// first. A problem must have these functions:
+/// first point. A problem must have these functions:
 /// - position_of(problem, point): its coordinates, in which lengths are measured;
 /// - correct_between(problem, guess, from, to): Newton's iteration from a guess between two points, on the
 ///   plane across the tangent of `from`;
 /// - completed(problem, correction, direction, arclength): the completed point, or nothing;
-/// - nearest_image(problem, position, near): the position with its angles, if it has some, moved next to the
-///   angles of the point `near`.
+/// - nearest_image(problem, position, near): the position with its angles, if it has any, moved by whole
+///   turns next to the angles of the point `near`.
 template <class Problem, class Point>
 class Segment {
  public:
@@ -113,7 +113,6 @@ struct Enclosure {
 
 /// Interval around the root of a test function; empty unless the function has opposite signs at the segment's
 /// ends.
-/// segment.
 template <class Segment, class Value>
 std::optional<Enclosure> root_on(const Segment& segment, const Value& value) {
   constexpr std::uintmax_t most_evaluations = 100;

@@ -15,7 +15,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Solution of the singular system without the last singular value and its vectors.
+/// Solution of the nearly singular system without the contribution of the smallest singular value.
 VectorXd solve_but_last(const numerics::spectral::SingularValues& svd, const VectorXd& right) {
   const Eigen::Index rank = right.size() - 1;
   return svd.v.leftCols(rank) *

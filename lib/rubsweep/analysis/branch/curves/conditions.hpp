@@ -12,7 +12,7 @@ namespace rubsweep::branch::curves {
 /// Monodromy matrices at a small distance on both sides of a state.
 struct MonodromyPair {
   Eigen::MatrixXd ahead, behind;
-  double step = 0;  ///< distance of both from the state
+  double step = 0;  ///< distance of the two matrices' states from the state
 
   Eigen::MatrixXd slope() const { return (ahead - behind) / (2 * step); }
 };
@@ -34,12 +34,12 @@ struct Condition {
 };
 
 /// Condition that `sign` (1 or -1) is a multiplier. `value` is the smallest singular value of M - sign, with
-/// left and right singular vectors. Apart from its sign `value` is a smooth function. Empty where `along`
+/// its left and right singular vectors; apart from its sign it is a smooth function. Empty where `along`
 /// returns nothing.
 std::optional<Condition> singular_condition(const MonodromyJet& jet, double sign);
 
-/// Condition of a torus: the pair of multipliers whose product is nearest to 1 has the product 1. It stays
-/// smooth where the pair changes from complex to real. Empty where `along` is empty.
+/// Condition of a torus: the two multipliers whose product is nearest to 1 have the product 1. The condition
+/// stays smooth where this pair changes from complex to real. Empty where `along` is empty.
 std::optional<Condition> pair_condition(const MonodromyJet& jet);
 
 }  // namespace rubsweep::branch::curves

@@ -17,10 +17,10 @@ using Eigen::VectorXd;
 
 constexpr numerics::NewtonLimits newton_limits{.iterations = 12, .free_iterations = 4, .growth = 1};
 constexpr double closed = 1e-13;  ///< last correction, relative to the size of the position
-/// Tolerances where rounding allows no better, for the parameters and for all coordinates.
+/// Tolerances where rounding permits no smaller error: for the parameters, and for all coordinates.
 constexpr double nearly_closed = 1e-11, nearly_closed_state = 1e-6;
-/// Difference steps, as shares of the usual ones in extend(). The smaller share is for orbits so close to a
-/// graze that the usual steps would cross it.
+/// Steps of differences, as shares of the usual ones in extend(). The smaller share is for orbits so close to
+/// a graze that the usual steps would cross the graze.
 constexpr std::array steps_of_differences{1.0, 0.01};
 constexpr double least_condition = 1e-15;
 

@@ -26,15 +26,16 @@ struct CurvePoint {
 
 /// Kinds of codimension-two points, where a curve meets another one.
 enum class MeetingKind {
-  cusp,                  ///< two curves of folds end together
-  fold_flip,             ///< multipliers +1 and -1
-  fold_torus,            ///< multiplier +1 and a complex pair on the unit circle
-  flip_torus,            ///< multiplier -1 and a complex pair on the unit circle
-  double_torus,          ///< two complex pairs on the unit circle
-  resonance_1_1,         ///< double multiplier +1, where a curve of tori begins on one of folds
-  resonance_1_2,         ///< double multiplier -1, where a curve of tori begins on one of period doublings
-  resonance_1_3,         ///< a pair at +-120 degrees on the unit circle
-  resonance_1_4,         ///< a pair at +-90 degrees on the unit circle
+  cusp,           ///< two curves of folds end together
+  fold_flip,      ///< multipliers +1 and -1
+  fold_torus,     ///< multiplier +1 and a complex pair on the unit circle
+  flip_torus,     ///< multiplier -1 and a complex pair on the unit circle
+  double_torus,   ///< two complex pairs on the unit circle
+  resonance_1_1,  ///< double multiplier +1, where a curve of tori begins on a curve of folds
+  /// double multiplier -1, where a curve of tori begins on a curve of period doublings
+  resonance_1_2,
+  resonance_1_3,         ///< a complex pair at +-120 degrees on the unit circle
+  resonance_1_4,         ///< a complex pair at +-90 degrees on the unit circle
   generalised_flip,      ///< a period doubling changes between supercritical and subcritical
   degenerate_branching,  ///< a symmetry breaking changes between supercritical and subcritical
   graze_fold,            ///< an orbit that grazes has a multiplier +1

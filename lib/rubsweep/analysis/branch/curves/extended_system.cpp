@@ -15,9 +15,8 @@ using Eigen::VectorXd;
 /// Steps of central differences, in the coordinates. The step along the state is larger, as it also serves
 /// third derivatives.
 constexpr double usual_parameter_step = 1e-6, usual_state_step = 1e-5;
-/// A grazing orbit is computed so that it stays short of the guard by this distance, a share of the length
-/// scale. If rounding put the orbit beyond the guard, the square root of the rounding error would enter its
-/// derivative.
+/// A grazing orbit is computed to stay short of the guard by this distance, a share of the length scale. If
+/// rounding put the orbit beyond the guard, the square root of the rounding error would enter its derivative.
 constexpr double miss = 4e-12;
 /// Smallest divisor in Newton's iteration at a branch point.
 constexpr double least_cubic = 1e-3;
@@ -77,8 +76,8 @@ class Extender {
     }
   }
 
-  /// Adds the equations of the closed orbit. Differences are one-sided where the other side has no machine or
-  /// is not smooth.
+  /// Adds the equations of the closed orbit. Differences are one-sided where the map does not exist, or is
+  /// not smooth, on the other side.
   void add_orbit(Extended& extended) {
     const Image here = image_at(at_);
     jet_.here = here.monodromy;
@@ -102,7 +101,7 @@ class Extender {
   }
 
   /// Whether orbit `a` returns deeper behind the guard than `b`. Behind the guard the image of a grazing
-  /// orbit contains a square root, so that only the other side is smooth.
+  /// orbit contains a square root, so that differences must be taken on the other side.
   bool returns_deeper(const Image& a, const Image& b) const {
     return guard_of(place_, a.state).value > guard_of(place_, b.state).value;
   }
@@ -130,9 +129,9 @@ class Extender {
     append(extended, condition->value, row);
   }
 
-  /// Replaces one equation at a branch point, as the closing error of the orbit along `left` vanishes there
-  /// to first order. The new equation says that the second derivative along `right` is zero, which symmetry
-  /// requires. Only its derivative along `right` matters.
+  /// Replaces one equation at a branch point: the closing error of the orbit along `left` vanishes there to
+  /// first order, so its equation is useless. The new equation says that the second derivative along `right`
+  /// is zero, as symmetry requires. Only the derivative of this equation along `right` matters.
   void drop_open_equation(Extended& extended) const {
     Critical& critical = extended.critical;
     const VectorXd& left = critical.left;
@@ -140,9 +139,9 @@ class Extender {
     extended.residual += left * (critical.quadratic - critical.open_defect);
     const Eigen::RowVectorXd open = left.transpose() * extended.jacobian;
     Eigen::RowVectorXd bent = Eigen::RowVectorXd::Zero(n_ + extra_);
-    // This derivative vanishes where symmetry breaking changes between supercritical and subcritical. The
-    // matrix would then be singular, so that a larger number is used, which does not change the direction of
-    // the curve.
+    // This derivative vanishes where symmetry breaking changes between supercritical and subcritical, and the
+    // matrix would be singular. A larger number is used instead; it does not change the direction of the
+    // curve.
     const double slope = std::copysign(std::max(std::abs(critical.cubic), least_cubic), critical.cubic);
     bent.head(n_) = root_of(n_) * slope * critical.right.transpose();
     extended.jacobian += left * (bent - open);

@@ -25,7 +25,7 @@ struct ExtendedSystem {
   continuation::EventKind kind = continuation::EventKind::fold;  ///< kind for which has_curve() is true
   Eigen::Index states = 0;
   orbits::ArmedGuard guard = {};  ///< guard that is grazed
-  /// True: the orbit touches at all its phases at once, so that the graze has no phase of its own
+  /// True: the orbit touches at all its phases at once, so that the graze has no definite phase
   /// (orbits::EvenContact).
   bool even = false;
 
@@ -53,17 +53,17 @@ struct Critical {
 
 /// Equations at the position `at`.
 struct Extended {
-  orbits::Evaluation evaluation = orbits::Evaluation::ok;  ///< if not ok, all else is empty
+  orbits::Evaluation evaluation = orbits::Evaluation::ok;  ///< if not ok, all other members are empty
   Eigen::VectorXd residual;                                ///< unknowns() - 1 numbers
   Eigen::MatrixXd jacobian;                                ///< derivative by the coordinates
   Eigen::MatrixXd monodromy;
   Critical critical;
 };
 
-/// Evaluates the equations. Rows of the closed orbit have exact derivatives by the state, and central
+/// Evaluates the equations. The rows of the closed orbit have exact derivatives by the state, and central
 /// differences by parameters and phase. The row of the condition is left^T dM right with exact singular
-/// vectors, where dM are central differences of the exact monodromy matrix M. Since second derivatives are
-/// symmetric, one pair of differences along the right vector gives the derivatives by the whole state.
+/// vectors; dM are central differences of the exact monodromy matrix M. Since second derivatives are
+/// symmetric, a single pair of differences along the right vector gives the derivatives by the whole state.
 /// `difference_steps` > 0: step sizes as multiples of the usual ones.
 Extended extend(const ExtendedSystem& system, const continuation::Position& at, double difference_steps = 1);
 

@@ -12,7 +12,8 @@
 namespace rubsweep::branch::curves {
 namespace {
 
-/// Largest distance from the located event, as a share of the ranges. A point farther away is another event.
+/// Largest distance from the located event, as a share of the ranges, at which a point still counts as the
+/// same event.
 constexpr double same_event = 1e-5;
 
 constexpr double still_closed = 1e-8;  ///< closing error of an orbit at a branch point, relative to its size
@@ -45,7 +46,7 @@ class CurveTask {
     return orbits.first.holds(place.first) && orbits.second.holds(place.second);
   }
 
-  /// Point on the edge of the plane that the step crossed; if it crossed two edges, on the first.
+  /// Point on the edge of the plane that the step crossed; where it crossed two edges, on the first one.
   std::optional<CurveCorrection> correct_at_edge(const CurvePoint& here, const CurveCorrection& found) const {
     const orbits::PlaneOrbits& orbits = *system_.orbits;
     const continuation::Position& beyond = found.at;

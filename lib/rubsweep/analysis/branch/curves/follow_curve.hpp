@@ -13,8 +13,8 @@ struct CurveStart {
 };
 
 /// Start of the curve that continues `event`. `orbits` must have the order of the event's branch and outlive
-/// the result. `place` is the place of the event, with phase zero. Empty where the event's kind has no curve
-/// (has_curve()), or Newton's iteration does not find the event again.
+/// the result. `place` is the point of the event in the plane, with phase zero. Empty where the event's kind
+/// has no curve (has_curve()), or Newton's iteration does not find the event again.
 std::optional<CurveStart> curve_start(const orbits::PlaneOrbits& orbits,
                                       const continuation::BranchEvent& event,
                                       const orbits::PlanePoint& place);
@@ -29,7 +29,7 @@ struct CurveOptions {
 /// within the ranges of both parameters. A closed curve is followed in one direction.
 Curve follow_curve(const ExtendedSystem& system, const CurvePoint& start, const CurveOptions& options);
 
-/// Whether `point`, of the same system, lies on a curve, seen from any of its turns.
+/// Whether `point`, of the same system, lies on a curve, with any of its turns as the first.
 bool lies_on(const ExtendedSystem& system, const Curve& curve, const CurvePoint& point);
 
 }  // namespace rubsweep::branch::curves

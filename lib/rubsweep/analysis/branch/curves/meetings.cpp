@@ -31,8 +31,8 @@ struct MeetingTest : continuation::EventTest<MeetingKind, CurvePoint> {
 
   /// Where set, a root counts only if the pair of these multipliers whose product is nearest to 1 is complex.
   Some with_a_complex_pair;
-  /// Whether the test uses differences. Near a graze differences that cross it are wrong, so that smaller
-  /// steps must confirm the root.
+  /// Whether the test is computed by differences. Near a graze differences that cross it are wrong, so that
+  /// smaller steps must confirm the root.
   bool of_differences;
 };
 
@@ -66,7 +66,7 @@ std::vector<MeetingTest> tests_of_one_multiplier(double sign, const Critical& re
     return c.cubic * turned(c.left, reference.left) * turned(c.right, reference.right);
   };
   if (sign < 0) {
-    // The coefficient has a pole where another multiplier is 1.
+    // The coefficient `cubic` has a pole where another multiplier is 1; the factor `fold` cancels it.
     const Test without_pole = [cubic, fold](const CurvePoint& point) { return cubic(point) * fold(point); };
     return {{MeetingKind::generalised_flip, without_pole, {}, true},
             {MeetingKind::fold_flip, fold},
@@ -115,7 +115,8 @@ std::vector<MeetingTest> tests_of_a_graze(bool even) {
        [](const CurvePoint& point) { return orbits::torus_test(point.multipliers); },
        [](const CurvePoint& point) { return point.multipliers; }},
       {MeetingKind::degenerate_graze, [](const CurvePoint& point) { return point.critical.curvature; }}};
-  if (even) tests.pop_back();  // an even contact touches all along, so that its guard cannot turn back
+  // an even contact touches along the whole orbit, so that its guard cannot turn back
+  if (even) tests.pop_back();
   return tests;
 }
 

@@ -17,7 +17,8 @@
 namespace rubsweep::branch::families {
 namespace {
 
-/// Attribution of an edge by the family to which the kick of `cell` leads, on the way to a neighbour.
+/// Attribution of an edge, seen from one side: follows the family to which the kick of `cell` leads towards a
+/// neighbour.
 MapEdge seen_from(std::size_t cell, std::size_t neighbour, const Family& family) {
   MapEdge edge{cell, neighbour, Attribution::unresolved, {}};
   if (const FamilyEnd* end = family.end_between(cell, neighbour)) {
@@ -50,8 +51,7 @@ MapEdge quiet_seen_from(std::size_t cell, std::size_t neighbour, std::span<const
   return edge;
 }
 
-/// Stronger attribution of two opposite directions: first that a motion ceases, then that it exists on both
-/// sides.
+/// Stronger of the attributions from the two sides: `ceases` before a motion that exists on both sides.
 MapEdge together(const MapEdge& there, const MapEdge& back) {
   const bool stronger =
       back.attribution < there.attribution || (back.attribution == there.attribution && there.kind.empty());
@@ -103,7 +103,7 @@ class Checker {
     const Family& family = families_.list[number];
     std::vector<LabelCheck> checks;
     for (const FamilyEnd& end : family.ends) {
-      // The cell belongs to the domain if another way leads into it.
+      // The cell belongs to the domain if the family enters it from another neighbour.
       if (family.orbits.contains(end.outside) || labels_[end.outside] != labels_[family.seed]) continue;
       checks.push_back(
           {end.outside, number, false, found_outside(family, end), end.kind, family_of_[end.outside]});

@@ -27,9 +27,10 @@ std::vector<Quiet> quiet_cells(const sweep::Study& study);
 
 /// Reason why two neighbouring cells of a map have different labels.
 enum class Attribution {
-  ceases,  ///< a motion to which one of the kicks leads ends between them, or loses its stability
-  basin,   ///< a motion to which one of the kicks leads, perhaps the quiet one, exists and is stable in both
-           ///< cells: the kick of the other one no longer reaches it
+  ceases,  ///< the motion after one of the kicks ends between the cells, or loses its stability
+  /// the motion after one of the kicks (perhaps the quiet one) exists and is stable in both cells, but the
+  /// kick of the other cell does not lead to it
+  basin,
   unresolved,  ///< no motion of either cell could be followed to the other
 };
 
@@ -38,9 +39,8 @@ constexpr std::string_view to_string(Attribution attribution) { return enumerato
 struct MapEdge {
   std::size_t first = 0, second = 0;
   Attribution attribution = Attribution::unresolved;
-  /// Event at which a motion ceases. For `unresolved` the reason, or empty. For `basin` empty if both motions
-  /// exist in both cells, or `one_motion` if this is known of only one motion, while the other may have
-  /// ceased.
+  /// Event at which a motion ceases. For `unresolved` the reason, if known. For `basin` empty if both motions
+  /// exist in both cells; `one_motion` if this is known of one motion only, while the other may have ceased.
   std::string_view kind;
 };
 
@@ -60,13 +60,14 @@ enum class CheckResult {
   reached,        ///< inside: the kick leads to the family's orbit
   stays,          ///< inside: without a kick, the machine started on the family's orbit settles on it
   another_orbit,  ///< outside: the label is that of another orbit, which also exists inside
-  ends_as_well,   ///< outside: the label is that of another orbit, which also ends on the way in
+  ends_as_well,   ///< outside: the label is that of another orbit, which ends on the way in
   // The results below are contradictions.
-  leaves,        ///< inside: the machine started on the orbit settles on something else
-  same_orbit,    ///< outside: the other family's orbit, followed inside, is this same orbit
-  not_followed,  ///< outside: following failed, on the way out or for the other orbit on the way in
-  not_found,     ///< the proven orbit of the cell could not be found again
-  unproven,      ///< outside: the label is not proven, so that there is no orbit to compare
+  leaves,      ///< inside: the machine started on the orbit settles on something else
+  same_orbit,  ///< outside: the other family's orbit, followed inside, is this same orbit
+  /// outside: the continuation failed, either of this family outwards or of the other orbit inwards
+  not_followed,
+  not_found,  ///< the proven orbit of the cell could not be found again
+  unproven,   ///< outside: the label is not proven, so that there is no orbit to compare
 };
 
 constexpr std::string_view to_string(CheckResult finding) { return enumerator_word(finding); }
@@ -84,12 +85,12 @@ struct LabelCheck {
   std::optional<std::size_t> other_family;  ///< outside: family to which the kick leads
 };
 
-/// Checks the label of every cell inside the domain of a family. Also checks every cell just outside with the
-/// family's label, that is, the label of its first cell. Inside, continuation says that the orbit exists and
-/// is stable. If the kick does not lead to it, the machine is started on it and must settle on it by the
-/// proofs of `response::settle`. Outside, the orbit does not continue, so that a cell with its label must be
-/// on another orbit. `labels`: one per cell of the grid. Once `stop` is true nothing new begins, and the
-/// result is incomplete. New results are added to `records`, as in `families_of`.
+/// Checks the label of every cell inside the domain of a family, and of every cell just outside that has the
+/// family's label (the label of its first cell). Inside, the orbit exists and is stable according to
+/// continuation. If the kick does not lead to the orbit, the machine is started on it and must settle on it
+/// by the proofs of `response::settle`. Outside, the orbit does not continue, so that a cell with the label
+/// must be on another orbit. `labels`: one per cell of the grid. Once `stop` is true no new check begins, and
+/// the result is incomplete. New results are added to `records`, as in `families_of`.
 std::vector<LabelCheck> check_labels(const sweep::Study& study, std::span<const std::string> labels,
                                      const Families& families, int threads, const std::atomic<bool>& stop,
                                      FamilyRecords& records);

@@ -42,8 +42,7 @@ class Explorer {
     return orbits;
   }
 
-  /// Explores a family in levels: the passages out of all cells of the last level do not depend on each
-  /// other.
+  /// Explores a family in levels: the passages out of the cells of one level are independent of each other.
   Family explore(std::size_t seed, const CellOrbit& orbit) {
     Family family{seed, {{seed, orbit}}, {}, {}};
     std::vector<std::size_t> frontier{seed};
@@ -131,7 +130,8 @@ class Explorer {
 /// Corner of a cell: (i, j) is the lower left corner of the cell with these indices.
 using Corner = std::pair<long, long>;
 
-/// Side between a cell inside and one outside the domain; null `end`: the map ends there.
+/// Side between a cell inside and a cell outside the domain; null `end`: the side lies on the edge of the
+/// map.
 struct Edge {
   Corner from, to;
   const FamilyEnd* end = nullptr;
@@ -147,7 +147,7 @@ class Tracer {
   }
 
   std::vector<OutlineLine> trace() {
-    // Open lines first, which begin at the edge of the map; the lines that remain are closed.
+    // Open lines, which begin at the edge of the map, come first; the remaining lines are closed.
     for (const bool open : {true, false}) {
       for (std::size_t i = 0; i < sides_.size(); ++i) {
         if (used_.contains(i) || sides_[i].end == nullptr) continue;
@@ -187,8 +187,8 @@ class Tracer {
     return false;
   }
 
-  /// Side that continues at the end of `side`. If two cells of the domain meet only in that corner, it is the
-  /// side that turns left and stays at the same cell.
+  /// Side that continues at the end of `side`. If two cells of the domain meet only in this corner, the
+  /// result is the side that turns left and stays at the same cell.
   std::optional<std::size_t> next_of(std::size_t side) const {
     const auto [first, last] = starts_.equal_range(sides_[side].to);
     std::optional<std::size_t> next;

@@ -33,7 +33,7 @@ struct Family {
   int order() const { return orbits.at(seed).order; }
   orbits::Closing closing() const { return orbits.at(seed).closing; }
   int hits() const { return orbits.at(seed).hits; }
-  /// End of the family on the way from one cell to another; null where it continues.
+  /// End of the family on the way from one cell to another; null where the family continues.
   const FamilyEnd* end_between(std::size_t inside, std::size_t outside) const;
 };
 
@@ -42,14 +42,16 @@ std::vector<std::size_t> neighbours_of(const sweep::Grid& grid, std::size_t cell
 
 /// Families of the orbits on which the cells of a map settle.
 struct Families {
-  std::vector<Family> list;               ///< families by ascending seed
-  std::vector<std::size_t> not_followed;  ///< cells whose proven orbit is not found again as a stable one
+  std::vector<Family> list;  ///< families by ascending seed
+  /// cells whose proven orbit could not be found again as a stable orbit
+  std::vector<std::size_t> not_followed;
 };
 
 /// Settles the cells `proven` (ascending), whose motion the map calls proven periodic or quasi-periodic, and
 /// follows each of their families once over the whole grid. The result depends neither on the number of
-/// threads nor on the content of `records`; new results are added to them, one call at a time. Once `stop` is
-/// true nothing new begins, and the result is incomplete. An exception of the records ends it.
+/// threads nor on the content of `records`; new results are added to `records`, one call at a time. Once
+/// `stop` is true no new work begins, and the result is incomplete. An exception thrown by `records` ends the
+/// call.
 Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
                      const std::atomic<bool>& stop, FamilyRecords& records);
 
@@ -63,8 +65,8 @@ struct OutlineLine {
   std::vector<std::array<double, 2>> points;  ///< speed in Hz and unbalance
 };
 
-/// Boundary of a family over the map, with the domain on the left: the places where it ends between
-/// neighbouring cells, joined to lines. A line ends at the edge of the map and where the kind changes; the
+/// Boundary of a family over the map, with the domain on the left: the sides between neighbouring cells at
+/// which the family ends, joined to lines. A line ends at the edge of the map, or where the kind changes; the
 /// next line then begins there.
 std::vector<OutlineLine> outline_of(const sweep::Grid& grid, const Family& family);
 

@@ -64,7 +64,7 @@ std::optional<CellOrbit> read_orbit(Words& words) {
   return orbit;
 }
 
-/// The constant of the program that equals a word; empty where there is none.
+/// Looks up the program's own constant that equals a word; empty where there is none.
 std::string_view known_kind(std::string_view word) {
   const auto among = [word](const auto& texts) {
     const auto found = std::ranges::find(texts, word);

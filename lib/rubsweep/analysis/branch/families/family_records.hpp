@@ -12,7 +12,7 @@
 
 namespace rubsweep::branch::families {
 
-/// Results of following families, cell by cell, so that a second run can reuse them. Numbers are kept
+/// Results of following families, cell by cell, so that a second run can reuse them. Numbers are stored
 /// exactly, and results depend on the study alone. Families are therefore the same with and without records.
 class FamilyRecords {
  public:
@@ -25,11 +25,12 @@ class FamilyRecords {
   /// Reads back a line that was stored for `cell`. False where the line is no record of this class.
   bool read(std::size_t cell, std::string_view line);
 
-  /// Orbit on which a cell settles, empty if there is none to follow; null: not known yet.
+  /// Orbit on which a cell settles, empty if there is none to follow; a null pointer if this is not known
+  /// yet.
   const std::optional<CellOrbit>* settled(std::size_t cell) const;
   void keep_settled(std::size_t cell, const std::optional<CellOrbit>& orbit);
 
-  /// Passage of the orbit of family `seed` on the way between two cells; null: not known yet.
+  /// Passage of the orbit of family `seed` on the way between two cells; null if not known yet.
   const Passage* passage(std::size_t seed, std::size_t from, std::size_t to) const;
   void keep_passage(std::size_t seed, std::size_t from, std::size_t to, const Passage& passage);
 

@@ -39,7 +39,7 @@ struct Way {
   double from = 0, to = 0;
 };
 
-/// Way from one cell to another along one axis; for equal cells along the speed.
+/// Way from one cell to another along one axis; if the cells are equal, along the axis of speed.
 Way way_between(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                 std::size_t neighbour, orbits::Closing closing, int order,
                 response::motion::Workspace& workspace) {
@@ -77,7 +77,7 @@ continuation::FollowOptions options_of_a_passage() {
   return options;
 }
 
-/// Limit on points for a second attempt, where the branch between two cells is long.
+/// Limit on the points of a second attempt, for a long branch between two cells.
 constexpr int patient_points = 5000;
 
 constexpr double same = 1e-6;
@@ -103,9 +103,9 @@ continuation::HalfBranch follow_the_way(const Way& way, const continuation::Bran
   return continuation::follow(way.problem, way.to > way.from ? start : turned_about(start), options);
 }
 
-/// Second attempt with another scale of the parameter: the way between the cells has length 1, not the whole
-/// axis. With the first scale, turns of the branch behind a graze may be too small to be found, below 1e-9 of
-/// the axis.
+/// Second attempt with another scale of the parameter: the length 1 is the way between the cells, not the
+/// whole axis. With the first scale, turns of the branch behind a graze may be too small to be found (below
+/// 1e-9 of the axis).
 continuation::HalfBranch follow_patiently(Way way, const CellOrbit& orbit, continuation::HalfBranch first) {
   continuation::FollowOptions options = options_of_a_passage();
   options.most_points = patient_points;

@@ -15,17 +15,18 @@ namespace rubsweep::branch::families {
 
 /// Orbit of a cell of a map.
 struct CellOrbit {
-  int order = 1;          ///< turns of the period; for an oval its loops
+  int order = 1;          ///< number of turns of the period, or of loops for an oval
   int hits = 0;           ///< number of hits over the period
-  Eigen::VectorXd state;  ///< state as closed_orbits() defines it: section at the start of one of its turns
+  Eigen::VectorXd state;  ///< state as defined by closed_orbits(): section at the start of one of the turns
   orbits::Closing closing = orbits::Closing::with_the_shaft;
 };
 
 /// Result of following a stable orbit from its cell straight to a neighbour.
 struct Passage {
   std::optional<CellOrbit> arrived;  ///< orbit in the neighbour, if it exists and is stable all the way
-  std::string_view kind;             ///< reason of its end otherwise: the word of an EventKind or an Ending
-  double parameter = 0;              ///< value of the varied axis at that end
+  /// otherwise the reason why the orbit ends: the word of an EventKind or an Ending
+  std::string_view kind;
+  double parameter = 0;  ///< value of the varied axis at that end
 };
 
 /// Stable orbit on which a cell settles; empty where there is none.
@@ -37,7 +38,7 @@ std::optional<CellOrbit> stable_orbit(const sweep::Study& study, const scene::Pr
 Passage pass(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
              const CellOrbit& orbit, std::size_t neighbour, response::motion::Workspace& workspace);
 
-/// Whether both are the same orbit of the cell. They may be given by different turns or, for an oval, by
+/// Whether both are the same orbit of the cell. They may begin with different turns or, for an oval, at
 /// different maxima of the distance from the axis.
 bool same_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                 const CellOrbit& orbit, const CellOrbit& other, response::motion::Workspace& workspace);

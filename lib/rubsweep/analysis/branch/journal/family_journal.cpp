@@ -52,7 +52,7 @@ void FamilyJournal::refresh() {
 }
 
 void FamilyJournal::leave() {
-  mutex_.lock();  // never unlocked: threads that wait for it end with the process
+  mutex_.lock();  // never unlocked: threads that wait for the lock end with the process
   if (journal_) journal_->sync();
   lock_.reset();
 }

@@ -15,28 +15,28 @@ namespace rubsweep::branch::journal {
 /// SHA-1 of map_digest and of the other compiled libraries on which families of orbits depend.
 extern const char* const family_digest;
 
-/// Directory of a map while a process follows its families. families.journal holds the results so far, until
-/// they are in the result files, and families.lock names the process.
+/// Directory of a map while a process follows its families. families.journal holds the results until they are
+/// in the result files; families.lock names the process.
 class FamilyJournal {
  public:
-  /// Begins, or continues an interrupted call; `fresh`: first removes earlier results. Throws LockedError
-  /// where another process is at work there, ConfigError where the journal belongs to another study or
+  /// Begins a call, or continues an interrupted one; `fresh`: first removes earlier results. Throws
+  /// LockedError where another process works there, ConfigError where the journal belongs to another study or
   /// program, and IoError.
   FamilyJournal(const std::filesystem::path& directory, const sweep::Study& study, bool fresh);
 
   families::FamilyRecords& records() { return records_; }
 
-  /// Number of records that an earlier call left.
+  /// Number of records from an earlier call.
   std::size_t found_before() const { return found_before_; }
 
   /// Removes the journal after the results were written.
   void remove();
 
-  /// Syncs the journal to the disk where that is due (LineLog::refresh).
+  /// Writes the journal to the disk (fsync) where that is due (LineLog::refresh).
   void refresh();
 
-  /// Unlocks the directory, for a process that ends at once. Waits for a line that is being written; no other
-  /// line follows.
+  /// Unlocks the directory, for a process that ends at once. Waits for a line that is being written; no
+  /// further line is written.
   void leave();
 
  private:

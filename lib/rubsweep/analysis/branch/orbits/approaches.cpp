@@ -18,8 +18,8 @@ using integrate::run::ModeSwitch;
 using System = integrate::run::ScaledSystem<Eigen::Dynamic>;
 using Map = Eigen::Map<const Eigen::VectorXd>;
 
-/// Largest variation of a penetration that counts as even. Orbits in full and in partial contact are then so
-/// close that rounding decides their modes.
+/// Largest variation of a penetration that counts as even. With such a small variation, rounding decides
+/// whether contact is full or partial.
 constexpr double most_spread = 1e-8;
 
 double penetration(const System& system, std::size_t contact, const double* state) {
@@ -64,8 +64,8 @@ class ApproachSearch {
   }
 
  private:
-  /// Sets the modes at the start. A contact that changes its mode starts in the mode before its first change,
-  /// any other contact in the mode that follows from the state.
+  /// Sets the modes at the start. A contact that changes its mode starts in the mode before its first change;
+  /// any other contact starts in the mode of its first state.
   void enter_first_modes() {
     changed_.assign(guards_.size(), false);
     auto& modes = dynamics_.modes();

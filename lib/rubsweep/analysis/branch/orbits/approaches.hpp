@@ -10,7 +10,7 @@
 
 namespace rubsweep::branch::orbits {
 
-/// Finds contacts with a constant penetration, or without any separation, among the states of an orbit.
+/// Finds contacts that have a constant penetration, or that never separate, among the states of an orbit.
 class EvenContacts {
  public:
   explicit EvenContacts(const scene::Scene& scene);
@@ -18,9 +18,9 @@ class EvenContacts {
   /// Adds states: columns of 2n scaled numbers in the fixed or in the rotating frame.
   void add(const Eigen::Ref<const Eigen::MatrixXd>& states);
 
-  /// Stores the even contacts over all added states, and the contacts that touch all along. Mode changes of
-  /// even contacts are removed, and the sign of the penetration decides whether they touch: within rounding
-  /// of zero the modes of a solver are arbitrary.
+  /// Stores the even contacts over all added states, and the contacts that touch along the whole orbit. Mode
+  /// changes of even contacts are removed, since within rounding of zero the modes of a solver are arbitrary.
+  /// The sign of the penetration decides whether such a contact touches.
   void settle(OrbitFacts& facts) const;
 
  private:
@@ -46,7 +46,7 @@ struct SampledOrbit {
 };
 
 /// Approaches of an orbit: places where a guard comes nearest to zero and turns back. In flight this is the
-/// smallest gap between two hits, in contact the smallest penetration, and so on for every guard that is
+/// smallest gap between two hits, in contact the smallest penetration, and likewise for every guard that is
 /// armed in a mode (contact::guards_of). `switches`: all changes of contact mode of the orbit, by phase.
 /// Extremes are those of the cubic through guard and rate at two neighbouring samples without a change of
 /// mode between them. Empty for a scene with torsion.

@@ -39,8 +39,8 @@ long hits_of(Switches switches) {
   return std::ranges::count(switches, contact::Mode::open, &ModeSwitch::from);
 }
 
-/// Part of the closed sequence `all`: its mode changes from index `first` on, `count` in number. After the
-/// last change of `all` the first one follows, one period later.
+/// Part of the closed sequence `all`: `count` mode changes from index `first` on. After the last change of
+/// `all` the first one follows, one period later.
 std::vector<ModeSwitch> stretch(const std::vector<ModeSwitch>& all, std::size_t first, std::size_t count,
                                 double period_rad) {
   std::vector<ModeSwitch> part;
@@ -51,7 +51,7 @@ std::vector<ModeSwitch> stretch(const std::vector<ModeSwitch>& all, std::size_t 
   return part;
 }
 
-/// Number of changes that agree, from index `i` of one closed sequence and `j` of another one on.
+/// Number of changes that agree from index `i` of one closed sequence and from index `j` of another.
 std::size_t agreeing(const std::vector<ModeSwitch>& a, std::size_t i, const std::vector<ModeSwitch>& b,
                      std::size_t j) {
   std::size_t count = 0;

@@ -11,24 +11,25 @@ namespace rubsweep::branch::orbits {
 
 using Switches = std::span<const integrate::run::ModeSwitch>;
 
-/// Whether two closed orbits go through the same contact modes, contact by contact. The start of their first
-/// turns does not matter.
+/// Whether two closed orbits go through the same contact modes, contact by contact. Their first turns may
+/// start at different places.
 bool same_sequence(Switches a, Switches b);
 
-/// Whether two orbits have the same sequence, and contacts without a change of mode are open or touch alike.
+/// Whether two orbits have the same sequence, and the contacts without a change of mode are open on both or
+/// touch on both.
 bool same_contact(const OrbitFacts& a, const OrbitFacts& b);
 
 /// Whether `a` is richer than `b`: it has more hits, or as many hits and more changes.
 bool is_richer(Switches a, Switches b);
 
 /// Difference between the sequences of two closed orbits at one contact: one stretch of the richer sequence
-/// is missing in the other, and all other changes agree.
+/// is missing in the other sequence, and all other changes agree.
 struct SequenceChange {
   enum class Kind {
     hit,           ///< the stretch is a hit, missing on the other orbit
     interruption,  ///< the stretch leaves a touching mode and returns to it
     parting,       ///< the stretch is a flight that divides a hit of the other orbit into two
-    even,  ///< one orbit touches all along and the other one nowhere: it is no stretch, but the whole period
+    even,          ///< one orbit touches along its whole period and the other one nowhere
   };
   Kind kind = Kind::hit;
   int contact = 0;
@@ -40,7 +41,8 @@ struct SequenceChange {
   double middle_rad = 0;  ///< middle of the stretch, as a phase of the richer orbit
 };
 
-/// Shortest such stretch; empty where the sequences differ otherwise. `period_rad`: period of the orbits.
+/// Shortest stretch that differs; empty where the sequences differ otherwise. `period_rad`: period of the
+/// orbits.
 std::optional<SequenceChange> sequence_change(Switches richer, Switches poorer, double period_rad);
 
 /// Description such as "hit at stop 0", "clamped interrupted at stop 1", "flight within a hit at stop 0".

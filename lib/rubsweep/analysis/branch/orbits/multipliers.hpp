@@ -25,8 +25,8 @@ double doubling_test(const Eigen::VectorXcd& multipliers);
 double unit_test(const Eigen::VectorXcd& multipliers);
 
 /// Product of (a b - 1) over all pairs a, b of multipliers. It is the determinant of the bialternate product
-/// of the monodromy matrix with itself minus 1. The function is real and smooth. It is zero where a complex
-/// pair lies on the unit circle, but also where two real multipliers have the product 1.
+/// of the monodromy matrix with itself minus 1, a real and smooth function. It is zero where a complex pair
+/// lies on the unit circle, but also where two real multipliers have the product 1.
 double torus_test(const Eigen::VectorXcd& multipliers);
 
 /// Whether the pair of multipliers whose product is nearest to 1 is a complex pair.

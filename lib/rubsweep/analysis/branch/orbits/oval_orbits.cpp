@@ -23,8 +23,9 @@ using response::rotating::RotatingArc;
 using response::rotating::RotatingField;
 using response::rotating::RotatingFlow;
 
-constexpr double nearest_maximum = 0.2;  ///< share of a loop: a maximum farther away is not the expected one
-constexpr double landed_rad = 1e-9;      ///< tolerance; the rest is one small step along the motion
+constexpr double nearest_maximum = 0.2;  ///< share of a loop; a maximum farther away is not the expected one
+/// tolerance; a small step along the motion covers the remaining angle
+constexpr double landed_rad = 1e-9;
 constexpr int most_steps = 12;
 
 integrate::run::SolverOptions exact(integrate::run::SolverOptions solver) {
@@ -46,8 +47,8 @@ struct OvalScene {
         flow(scene, solver, 0),
         sampled_flow(flow.with(solver.relative_tolerance, samples_per_turn)) {}
 
-  /// Half the rate of change of the observed point's squared distance from the axis. Both this and its
-  /// derivative by the state are the same in the rotating and in the fixed frame.
+  /// Half the rate of change of the squared distance between the observed point and the axis. This rate and
+  /// its derivative by the state are the same in the rotating and in the fixed frame.
   double outward(const VectorXd& y) const {
     const Eigen::Index n = y.size() / 2;
     return (scene::observed(scene) * y.head(n)).dot(scene::observed(scene) * y.tail(n));
@@ -73,7 +74,7 @@ struct Landing {
   double angle_rad = 0;
 };
 
-/// Follows `y` to the maximum nearest to its state after `expected_rad`.
+/// Follows `y` to the maximum nearest to its state at `expected_rad`.
 std::optional<Landing> land(const OvalScene& at, const VectorXd& y, double expected_rad, double loop_rad) {
   double angle = expected_rad;
   for (int i = 0; i < most_steps; ++i) {
@@ -142,7 +143,7 @@ class OvalOrbits {
     EvenContacts even(at->scene);
     even.add(arc->samples);
     even.settle(facts);
-    // Phases of all orbits count 2 pi for each turn of the order.
+    // As for all orbits, phases grow by 2 pi for each turn of the order.
     for (integrate::run::ModeSwitch& change : facts.switches) change.phase_rad /= state(n);
     return facts;
   }
@@ -158,15 +159,15 @@ class OvalOrbits {
     passages.approaches = approaches_of(
         at->scene, {std::move(arc->samples), numerics::full_turn / samples_per_turn, false}, arc->switches);
     passages.switches = std::move(arc->switches);
-    // Phases of all orbits count 2 pi for each turn of the order.
+    // As for all orbits, phases grow by 2 pi for each turn of the order.
     for (Approach& approach : passages.approaches) approach.phase_rad /= turns;
     for (integrate::run::ModeSwitch& change : passages.switches) change.phase_rad /= turns;
     return passages;
   }
 
  private:
-  /// Adds the maximum half a period later, if there is one. The two halves of a loop may become equal, and
-  /// the oval then joins the branch of half its period.
+  /// Adds the maximum half a period later, if there is one. Where the two halves of a loop become equal, the
+  /// oval joins the branch of half its period.
   static void add_half_way(const OvalScene& at, const VectorXd& state, OrbitFacts& facts) {
     const Eigen::Index n = state.size() - 1;
     const double half_rad = numerics::full_turn * state(n) / 2;
@@ -190,7 +191,7 @@ class OvalOrbits {
   int loops_;
   integrate::run::SolverOptions solver_;
   numerics::RecentlyUsed<OvalScene> recent_{
-      3};  ///< an orbit and its two neighbours for the derivative by the parameter
+      3};  ///< an orbit and two neighbours, for the derivative by the parameter
 };
 
 }  // namespace

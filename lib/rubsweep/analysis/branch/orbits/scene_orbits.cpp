@@ -163,7 +163,7 @@ class SceneOrbits {
   integrate::run::SolverOptions solver_;
   integrate::exact::modes::ModeCache& modes_;
   numerics::RecentlyUsed<SceneAt> recent_{
-      2};  ///< an orbit and one neighbour for the derivative by the parameter
+      2};  ///< an orbit and one neighbour, for the derivative by the parameter
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ OrbitProblem scene_orbits(SceneFamily family, int order, const integrate::run::S
 /// Frame in which an orbit closes.
 enum class Closing {
   with_the_shaft,        ///< after whole turns: fixed point of the section map
-  in_the_turning_frame,  ///< an oval: in the rotating frame, after a time of its own
+  in_the_turning_frame,  ///< an oval: in the rotating frame, with a period that need not be whole turns
 };
 
 constexpr std::string_view to_string(Closing closing) { return enumerator_word(closing); }

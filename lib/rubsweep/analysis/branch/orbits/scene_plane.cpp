@@ -14,8 +14,8 @@
 namespace rubsweep::branch::orbits {
 namespace {
 
-/// Step in shaft rotation for the second derivative of a guard. Truncation error and rounding of the central
-/// difference are both near 1e-10.
+/// Step in shaft rotation for the second derivative of a guard. The truncation error and the rounding error
+/// of the central difference are then about equal, near 1e-10.
 constexpr double difference_step_rad = 1e-5;
 
 constexpr double turn_rad = 2 * std::numbers::pi;
@@ -27,7 +27,7 @@ std::span<const double> numbers(const Eigen::VectorXd& state) {
   return {state.data(), static_cast<std::size_t>(state.size())};
 }
 
-/// Moves a stop to where nothing reaches it.
+/// Moves a stop so far away that nothing reaches it.
 void move_away(scene::Scene& scene, int contact) {
   constexpr double far_away = 1e3;
   scene.contacts[static_cast<std::size_t>(contact)].clearance_m += far_away * scene.length_scale_m;
@@ -78,7 +78,7 @@ class ScenePlaneOrbits {
 
  private:
   struct Line {
-    PlanePoint place;  ///< place of the guards; its first parameter may be any
+    PlanePoint place;  ///< point of the plane for which the guards are made; its first parameter is arbitrary
     OrbitProblem orbits;
   };
 

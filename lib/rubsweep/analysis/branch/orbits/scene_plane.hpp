@@ -19,8 +19,8 @@ namespace rubsweep::branch::orbits {
 struct PlanePoint {
   double first = 0, second = 0;
   double phase_rad = 0;
-  /// Contact whose force is left out, so that orbits stay smooth where they begin to touch it everywhere at
-  /// once. < 0: none.
+  /// Contact whose force is omitted, so that the map stays smooth where an orbit begins to touch this contact
+  /// at all its points at once. < 0: none.
   int clear_of = -1;
 
   bool operator==(const PlanePoint&) const = default;
@@ -47,9 +47,9 @@ struct ParameterRange {
 /// Orbits of a map with two parameters. Members mean the same as in OrbitProblem.
 struct PlaneOrbits {
   std::function<Evaluation(const PlanePoint&, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy)> returns;
-  /// Facts of an orbit; may be left out.
+  /// Facts of an orbit; this member may be empty.
   std::function<std::optional<OrbitFacts>(const PlanePoint&, const Eigen::VectorXd& state)> facts;
-  /// Guard at the start of a turn; empty where it cannot be computed. `guard` and `at_phase` may be left out
+  /// Guard at the start of a turn; empty where it cannot be computed. `guard` and `at_phase` may be empty
   /// where no graze is followed.
   std::function<std::optional<GuardMotion>(const PlanePoint&, const Eigen::VectorXd& state,
                                            const ArmedGuard&)>
@@ -85,7 +85,8 @@ class SectionGuards {
   integrate::law::Dynamics<Eigen::Dynamic, false> dynamics_;
 };
 
-/// Scene with its time shifted to begin when its shaft has turned by `phase_rad`. Its pulses are not shifted.
+/// Scene with its time shifted so that time 0 is when its shaft has turned by `phase_rad`. Its pulses are not
+/// shifted.
 scene::Scene begun_at_phase(scene::Scene scene, double phase_rad);
 
 /// Scene at each point of a plane of two parameters; empty where it does not exist.

@@ -63,7 +63,8 @@ SettledStart settle_on_orbit(const scene::Cell& cell, const integrate::run::Solv
     return start;
   }
   if (!start.order) return start;
-  // Second run, to get the last section. Where a proof ended the first run, it ends equally near the orbit.
+  // Second run, to get the last section. Where a proof ended the first run, the second run ends equally near
+  // the orbit.
   const integrate::run::Run run = integrate::start(cell.scene, solver, workspace.modes);
   integrate::run::TurnReport turn;
   if (response::motion::pass_until_settled(run, {.most_turns = settled.revolutions}, turn)) {

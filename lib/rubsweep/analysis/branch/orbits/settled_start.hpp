@@ -26,7 +26,7 @@ struct SettledStart {
   response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
   std::optional<int> order;  ///< order of the closed orbit with contact; empty: no orbit to follow
   Closing closing = Closing::with_the_shaft;
-  Eigen::VectorXd state;  ///< state near the orbit, as closed_orbits() defines it
+  Eigen::VectorXd state;  ///< state near the orbit, as defined by closed_orbits()
 };
 
 /// Runs the cell, which must be able to run, until its motion is known: a periodic motion, or an oval of a

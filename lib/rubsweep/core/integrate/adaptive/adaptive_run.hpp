@@ -20,10 +20,11 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// A run with one of Odeint's steppers. Located (law not smoothed): a step that crosses a mode's guard is cut
-/// there, and the next one starts in the new mode. Inside a step the right-hand side is smooth, so that the
-/// stepper keeps its order. A step also ends where a slip with dry friction reaches zero or a contact stops
-/// sticking. `Law` is the right-hand side: Dynamics, or a law with further numbers after its state.
+/// A run with one of Odeint's steppers. With a located law (not smoothed), a step that crosses a mode's guard
+/// is cut there, and the next step starts in the new mode. Inside a step the right-hand side is smooth, so
+/// that the stepper keeps its order. A step also ends where a slip with dry friction reaches zero or a
+/// contact stops sticking. `Law` is the right-hand side: Dynamics, or a law with further numbers after its
+/// state.
 template <class Law>
 class AdaptiveRun {
   static constexpr bool smoothed = Law::smoothed;
@@ -54,8 +55,8 @@ class AdaptiveRun {
   AdaptiveRun(const AdaptiveRun&) = delete;
   AdaptiveRun& operator=(const AdaptiveRun&) = delete;
 
-  /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
-  /// Moves tangent vectors beside contacts whose law is not linear alone.
+  /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when `end_phase` is less than
+  /// 2 pi. Tangent vectors are moved only if there are contacts whose law is not linear.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = numerics::full_turn) {
     StepObserver observer(request, report);
@@ -125,7 +126,7 @@ class AdaptiveRun {
     clock_.change_pulses();
     const double boundary = clock_.next_boundary();
     const double wanted = size_;
-    // The step is extended when the rest to the boundary would be too small for a step.
+    // The step is extended to the boundary where the remaining distance would be too small for a step.
     const bool limited = step_.start_phase + 1.000001 * wanted >= boundary;
     double size = limited ? boundary - step_.start_phase : wanted;
     const double taken = size;
@@ -193,7 +194,8 @@ class AdaptiveRun {
     const std::size_t before = joint_mode();
     if (!switches_.make(crossing, observer.report())) return;
     method_->restart();
-    // Contact and flight need different step sizes: continues with the latest size used in this mode.
+    // Contact and flight need different step sizes. The run continues with the last size used in the new
+    // mode.
     remembered_sizes_[before] = size_;
     if (const double remembered = remembered_sizes_[joint_mode()]; remembered > 0) size_ = remembered;
   }

@@ -60,9 +60,10 @@ struct CrossingSearch {
   }
 
  private:
-  /// Share of the height of a slip's interpolant: if it comes closer to zero, its maximum is refined.
+  /// Share of the height of a slip's interpolant. If the interpolant comes closer to zero, its maximum is
+  /// refined.
   static constexpr double near_zero = 0.1;
-  /// Largest rise that three points of a step may miss, relative to their differences.
+  /// Largest rise between three points of a step that the points may miss, relative to their differences.
   static constexpr double most_unseen = 2;
   static constexpr double shortest_share = 1e-12;  ///< shortest time to an event, as a share of the step
 
@@ -80,7 +81,7 @@ struct CrossingSearch {
   /// Value of one guard function of contact `i` inside the step.
   double guard_value(std::size_t i, int guard, double phase) {
     method.state_at(right_hand_side, step, phase, probe);
-    // A guard's value does not depend on the acceleration, so that any rate can be passed.
+    // The value of a guard does not depend on the acceleration, so that any rate can be passed.
     return guards(i, dynamics.kinematics(i, probe, step.end_rate))
         .list[static_cast<std::size_t>(guard)]
         .value;
@@ -93,8 +94,8 @@ struct CrossingSearch {
     return probe;
   }
 
-  /// Zero of the slip of contact `i`, which slips. If its slip starts at zero, the start is no event; the
-  /// slip of a poised contact stops beyond the edge of its zero band.
+  /// Zero of the slip of contact `i`, which slips. If the slip starts at zero, the start is no event. The
+  /// slip of a poised contact stops beyond the edge of its zero band instead.
   std::optional<Crossing> locate_stop(std::size_t i) {
     const double h = step.end_phase - step.start_phase;
     const double sign = -contact::sign_of(dynamics.slips()[i]);
@@ -123,7 +124,7 @@ struct CrossingSearch {
   }
 
   /// Rise through zero of a function that is >= 0 at the end of the step and negative at its start (or zero,
-  /// for a slip that starts there). It may have happened before any point of the interpolant.
+  /// for a slip that starts there). The rise may be earlier than all points of the interpolant.
   template <class Value>
   std::optional<double> hidden_rise(const Value& value) {
     double x = 1;
@@ -140,7 +141,7 @@ struct CrossingSearch {
   }
 
   /// First zero of a function that is negative at the start of the step, searched near its largest value. A
-  /// slip that barely reaches zero still stops: unlike a shallow graze this changes the motion.
+  /// slip that barely reaches zero does stop, which changes the motion, in contrast to a shallow graze.
   template <class Value>
   std::optional<double> shallow_rise(const Value& value) {
     constexpr int places = 16;
@@ -158,8 +159,8 @@ struct CrossingSearch {
     return top.second <= 0 ? rise_between(value, 0, top.first) : std::nullopt;
   }
 
-  /// Release of contact `i`, which sticks: the friction needed exceeds the limit. It has no known derivative
-  /// and is approximated by a parabola through three points.
+  /// Release of contact `i`, which sticks: the needed friction exceeds the limit. The derivative of this
+  /// friction is unknown, so it is approximated by a parabola through three points.
   std::optional<Crossing> locate_release(std::size_t i) {
     const double h = step.end_phase - step.start_phase;
     const auto friction_at = [&](double x) {
@@ -179,7 +180,7 @@ struct CrossingSearch {
       auto phase = rise ? refine(value, *rise) : std::nullopt;
       if (!phase && c > 0) phase = hidden_rise(value);
       const auto [low, high] = std::minmax({a, b, c});
-      // Where friction drops after the release, even a short one counts.
+      // Where friction drops at the release, even a short excess counts.
       if (!phase && a < 0 && dynamics.holds_harder(i) && high > -most_unseen * (high - low))
         phase = shallow_rise(value);
       constexpr double never = std::numeric_limits<double>::infinity();
@@ -200,7 +201,7 @@ struct CrossingSearch {
         numerics::quartic_through(at_start.value, h * at_start.rate, middle, at_end.value, h * at_end.rate));
     const auto value = [&](double x) { return guard_value(i, guard, step.start_phase + x * h); };
     auto phase = rise ? refine(value, *rise) : std::nullopt;
-    // Excludes a return from a graze; from zero a guard may rise by any of its derivatives.
+    // Excludes a return from a graze. A guard that starts at zero may rise by any of its derivatives.
     if (!phase && at_end.value >= 0 && (at_start.value <= 0 || at_start.rate >= 0))
       phase = hidden_rise(value);
     if (!phase) return std::nullopt;
@@ -208,8 +209,8 @@ struct CrossingSearch {
   }
 
   /// Root of the true guard function `value` near the root of its interpolant, both in units of the step.
-  /// Empty when the function does not change sign: a graze shallower than the interpolation error, invisible
-  /// at any tolerance.
+  /// Empty when the function does not change sign: the graze is then shallower than the interpolation error
+  /// and invisible at any tolerance.
   template <class Value>
   std::optional<double> refine(const Value& value, double rise) {
     for (double reach = 1e-7; reach < 30; reach *= 30) {

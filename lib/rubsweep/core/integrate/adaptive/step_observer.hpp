@@ -75,8 +75,8 @@ class StepObserver {
     return dynamics.modes()[i] != contact::Mode::open;
   }
 
-  /// Share of the step in contact. A located step is in one mode throughout. A smoothed step may begin or end
-  /// contact inside: the penetration is then taken as linear in time.
+  /// Share of the step in contact. A located step has one mode throughout. A smoothed step may begin or end
+  /// contact inside; the penetration is then assumed to be linear in time.
   template <class Dynamics>
   double touching_share(const Dynamics& dynamics, std::size_t i, const contact::Kinematics& start,
                         const contact::Kinematics& end) {
@@ -95,7 +95,8 @@ class StepObserver {
                    const contact::Kinematics& end) {
     const auto total = [&](double p, double v) { return dynamics.normal_force(i, p, v).total_n; };
     const auto rate = [&](const contact::Kinematics& k) {
-      // The located law is linear in (p, v) within a step; a small difference suits the smoothed law, too.
+      // The located law is linear in (p, v) within a step, so any difference is exact; a small one is also
+      // accurate for the smoothed law.
       constexpr double nudge = 1e-6;
       return (total(k.penetration + nudge * k.closing_speed,
                     k.closing_speed + nudge * k.closing_acceleration) -

@@ -38,8 +38,8 @@ class StepSwitches {
       just_moved_[i] = leaves_zero(i) && law::stands(dynamics_, i, step_.start);
   }
 
-  /// Makes the change at the event that ended the step, if one did, and those that follow from it. Whether
-  /// there were any.
+  /// Makes the change at the event that ended the step, if there was an event, and the changes that follow
+  /// from it. Returns whether there were any changes.
   bool make(const std::optional<Crossing>& crossing, run::TurnReport& report) {
     bool switched = false;
     std::fill(just_moved_.begin(), just_moved_.end(), false);
@@ -78,7 +78,7 @@ class StepSwitches {
     to_tangents(tangents_, [&](auto& vectors) { vectors.begin_impact(i, step_.end, step_.end_rate); });
   }
 
-  /// The friction of a contact that begins rises from zero.
+  /// When contact begins, its friction rises from zero.
   void touch_down(std::size_t i) {
     law::take_slip_of_state(dynamics_, i, step_.end);
     if (dynamics_.slips()[i] == contact::Slip::sticking) stop_slip(i);
@@ -106,7 +106,7 @@ class StepSwitches {
     }
   }
 
-  /// Settles contact `i` when its slip is zero; the rate jumps together with its friction.
+  /// Decides stick or slip for contact `i` when its slip is zero; the rate jumps together with the friction.
   void stop_slip(std::size_t i) {
     rate_before_ = step_.end_rate;
     law::settle_slips(dynamics_, step_.end, step_.end_rate, step_.end_phase,

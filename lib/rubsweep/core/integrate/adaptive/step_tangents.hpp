@@ -15,12 +15,12 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// Tangent vectors of an adaptive run beside contacts whose law is not linear. They obey the variational
-/// equation of the law in force, which takes steps of its own by dopri5 over each step of the motion: whether
-/// they are asked for does not change the motion. Its matrix near the touching, where the slope of a power of
-/// the penetration is not smooth, shortens these steps. Behind the state a vector has the change of the
-/// damping of every contact whose damping goes by its own impact.
-/// `Law`: that of a scene, without further numbers behind its state, which have other derivatives.
+/// Tangent vectors of an adaptive run with contacts whose law is not linear. They obey the variational
+/// equation of the present law. Over each step of the motion, dopri5 integrates this equation with its own
+/// steps, so that requesting vectors does not change the motion. Near the begin of contact, where the slope
+/// of a power of the penetration is not smooth, these steps become short. After the state, a vector contains
+/// the change of the damping of every contact whose damping depends on its approach speed. `Law`: that of a
+/// scene, without further numbers after its state, because their derivatives would be missing.
 template <class Law>
 class StepTangents final : public RightHandSide {
  public:
@@ -34,15 +34,16 @@ class StepTangents final : public RightHandSide {
     }
   }
 
-  /// Whether there are any at present.
+  /// Whether there are any tangent vectors at present.
   bool any() const { return count_ > 0; }
-  /// The changes of the state, one a column.
+  /// Changes of the state, one per column.
   auto changes() { return vectors().topRows(states()); }
-  /// Evaluations of the right-hand side that took as long since the start of the run.
+  /// Work since the start of the run, as a number of evaluations of the right-hand side.
   long work() const { return work_; }
 
-  /// A turn begins at `state`. Where a contact still touches that is damped by its own impact, a vector is
-  /// moved alone that goes on from the turn before, at any length: the change of that damping goes with it.
+  /// Begins a turn at `state`. Where a contact still touches whose damping depends on its approach speed,
+  /// only a vector that continues the last vector of the turn before (times any factor) can be moved, because
+  /// it includes the change of that damping.
   void begin(const run::TurnRequest& request, double tolerance, const State& state) {
     const double length = any_remembers() ? length_of_last(request.tangent_vectors) : 0;
     count_ = moves_ && (length > 0 || !any_remembers()) ? request.tangent_vectors.cols() : 0;
@@ -61,7 +62,7 @@ class StepTangents final : public RightHandSide {
     keep_sticking(state);
   }
 
-  /// Takes them over the step of the motion up to `end_phase`.
+  /// Moves the vectors over the step of the motion up to `end_phase`.
   void follow(StepMethod& motion, RightHandSide& of_motion, const Step& step, double end_phase) {
     motion_ = &motion, of_motion_ = &of_motion, step_ = &step;
     inner_.start_phase = step.start_phase;
@@ -83,7 +84,7 @@ class StepTangents final : public RightHandSide {
     }
   }
 
-  /// Contact `i` begins to touch, in its new mode, and its damping is that of this closing speed.
+  /// Contact `i` begins to touch, in its new mode; its damping follows from this closing speed.
   void begin_impact(std::size_t i, const State& state, const State& rate) {
     const auto place = std::ranges::find(remembering_, i);
     if (place == remembering_.end()) return;
@@ -96,35 +97,36 @@ class StepTangents final : public RightHandSide {
       memory.setZero();
       return;
     }
-    // The touching comes later by -(change of the penetration) / speed.
+    // Contact begins later by -(change of the penetration) / speed.
     const Eigen::RowVectorXd change = speed - k.closing_acceleration / k.closing_speed * penetration;
     memory = -law_.impact_damping(i) / k.closing_speed * (change * changes());
   }
 
-  /// The slip of contact `i` has come to zero; both rates of the state.
+  /// The slip of contact `i` has reached zero. Arguments: the rates of the state before and after.
   void cross_stop(std::size_t i, const State& state, const State& before, const State& after) {
     law::cross_slip(law_, i, state, before, after, changes());
   }
 
-  /// The distance from its bound of the friction that holds contact `i`, before it is let go: its gradient
-  /// and its rate. `before` is the rate of the state.
+  /// Stores gradient and rate of the distance between the friction that holds contact `i` and its limit,
+  /// before the contact is released. `before`: the rate of the state.
   void see_release(std::size_t i, contact::Slip slip, const State& state, const State& before, double phase) {
     release_gradient_ = law_.reserve_gradient(i, slip, state, at_rate_, phase);
     const auto held_n = [&](double at) {
       law_.loose(state, at_rate_, at);
       return law_.hold(state, at_rate_).force_n(i);
     };
-    constexpr double nudge = 1e-4;  // forces are sines of the phase: an error of its square
+    // forces are sines of the phase, so that the error is of second order in this step
+    constexpr double nudge = 1e-4;
     const double by_phase = (held_n(phase + nudge) - held_n(phase - nudge)) / (2 * nudge);
     const Eigen::Map<const Eigen::VectorXd> rate(before.data(), states());
     release_rate_ = release_gradient_.dot(rate) - contact::sign_of(slip) * by_phase;
   }
-  /// It was let go; both rates of the state.
+  /// The contact was released. Arguments: the rates of the state before and after.
   void cross_release(const State& before, const State& after) {
     law::cross(release_gradient_, release_rate_, before, after, changes());
   }
 
-  /// After an impulse: neighbours of a motion that sticks stick, too.
+  /// Called after an impulse. If a contact sticks, it also sticks in neighbouring motions.
   void keep_sticking(const State& state) { law_.keep_sticking(state, changes()); }
 
   /// The turn is over.
@@ -165,19 +167,20 @@ class StepTangents final : public RightHandSide {
   using Vectors = Eigen::Map<Eigen::MatrixXd>;
   using ConstVectors = Eigen::Map<const Eigen::MatrixXd>;
   static constexpr double smallest_size = 1e-14;
-  static constexpr int most_attempts = 100'000;  ///< over one step of the motion
+  static constexpr int most_attempts = 100'000;  ///< limit for one step of the motion
   static constexpr long work_of_slopes = 3;
 
   Eigen::Index states() const { return 2 * law_.system().coordinates(); }
   Eigen::Index rows() const { return states() + static_cast<Eigen::Index>(remembering_.size()); }
   Vectors vectors() { return {inner_.start.data(), rows(), count_}; }
 
-  /// Whether some contact has a damping that the state does not say.
+  /// Whether the damping of some contact cannot be computed from the state.
   bool any_remembers() const {
     return std::ranges::any_of(remembering_,
                                [&](std::size_t i) { return law_.modes()[i] != contact::Mode::open; });
   }
-  /// The multiple of the vector at the end of the turn before that this is; 0 where it is another one.
+  /// Factor by which the requested vector is a multiple of the vector at the end of the turn before; 0 where
+  /// it is no multiple.
   double length_of_last(const Eigen::MatrixXd& asked) const {
     constexpr double rounding = 1e-12;
     if (asked.cols() != 1 || last_.size() == 0) return 0;
@@ -186,7 +189,7 @@ class StepTangents final : public RightHandSide {
     return (asked - length * before).norm() <= rounding * asked.norm() ? length : 0;
   }
 
-  /// No vectors are better than wrong ones.
+  /// Returning no vectors is better than returning wrong vectors.
   void give_up() { count_ = 0; }
 
   /// Derivatives by the state of the penetration of contact `i` and of its closing speed.
@@ -201,8 +204,8 @@ class StepTangents final : public RightHandSide {
     return {penetration, speed};
   }
 
-  /// Derivative of the scaled acceleration by the damping of contact `i`, with the friction that holds
-  /// sticking contacts, behind as many zeros.
+  /// Derivative of the scaled acceleration by the damping of contact `i`, including the friction that holds
+  /// sticking contacts. Leading zeros stand for the displacements.
   void find_push_by_damping(std::size_t i) {
     push_.setZero(states());
     if (law_.modes()[i] != contact::Mode::sprung) return;
@@ -215,7 +218,7 @@ class StepTangents final : public RightHandSide {
 
   Law& law_;
   bool moves_ = false;
-  std::vector<std::size_t> remembering_;  ///< contacts whose damping goes by their own impact
+  std::vector<std::size_t> remembering_;  ///< contacts whose damping depends on their own approach speed
   Eigen::Index count_ = 0;
   std::unique_ptr<StepMethod> method_;
   double tolerance_ = 0;
@@ -226,13 +229,14 @@ class StepTangents final : public RightHandSide {
   const Step* step_ = nullptr;
   State at_, at_rate_;  ///< state and rate of the motion
   typename Law::Matrix by_u_, by_v_;
-  Eigen::VectorXd push_, last_;  ///< last_: the only vector at the end of the turn before; else empty
+  /// last_: the vector at the end of the turn before if it was the only one; otherwise empty
+  Eigen::VectorXd push_, last_;
   Eigen::RowVectorXd release_gradient_;
   double release_rate_ = 0;
   long work_ = 0;
 };
 
-/// Whether a run by this law may have them.
+/// Whether a run with this law may have tangent vectors.
 template <class Law>
 inline constexpr bool has_step_tangents = std::is_same_v<Law, law::Dynamics<Law::coordinates, false>>;
 
@@ -240,11 +244,11 @@ struct NoTangents {
   template <class Law>
   explicit NoTangents(const Law&) {}
 };
-/// Tangent vectors of a run by this law, or none.
+/// Tangent vectors of a run with this law, or a stand-in without any.
 template <class Law>
 using Tangents = std::conditional_t<has_step_tangents<Law>, StepTangents<Law>, NoTangents>;
 
-/// Calls `act` with the tangent vectors of this turn, if it has any.
+/// Calls `act` with the tangent vectors of this turn, if there are any.
 template <class Vectors, class Act>
 void to_tangents(Vectors& vectors, const Act& act) {
   if constexpr (!std::is_same_v<Vectors, NoTangents>) {

@@ -96,7 +96,7 @@ class BulirschStoer final : public StepMethod {
     out = step.start;
     State from = step.start, rate = step.start_rate;
     double phase = step.start_phase, size = target - phase;
-    // The whole step passed the error control, so that a part of it passes at once or after a few halvings.
+    // The whole step passed the error control. A part of it therefore passes at once or after a few halvings.
     for (int attempt = 0; attempt < 1000 && phase < target; ++attempt) {
       if (phase + size > target) size = target - phase;
       const bool last = phase + size == target;

@@ -23,7 +23,7 @@ struct TwistLaw {
   Eigen::VectorXcd bow_lever;     ///< L b / (J speed^2): phi'' is increased by Re(i bow_lever e^{i phi}) . u
   Eigen::MatrixXd gyroscopic;     ///< M^-1 G: accelerations -(phi' - 1) gyroscopic u'; empty: none
   Eigen::MatrixXd circulatory;    ///< M^-1 C / speed: accelerations -(phi' - 1) circulatory u; empty: none
-  double inertia_share = 1;       ///< polar inertia without the eccentric masses, over J, which has them
+  double inertia_share = 1;       ///< polar inertia without the eccentric masses / J, which includes them
   double angle_per_nm = 0;        ///< 1 / (J speed^2): phi'' per newton metre
   double drive_stiffness_nm = 0;  ///< torque per radian of twist
   double drive_damping_nm = 0;    ///< torque per unit of the twist's rate

@@ -33,7 +33,7 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   if (cells_.size() <= mode_->index) cells_.resize(mode_->index + 1);
   ModeCell& cell = cells_[mode_->index];
   bool usable = prepare(*mode_, cell);
-  // A pulse may begin in contact, where the bounds on released slips need the responses of the open mode.
+  // A pulse may begin in contact, and the bounds on released slips then need the responses of the open mode.
   if (joint != 0 && !drives_.acting().empty()) {
     const modes::LinearMode<N>& open = *machine_->mode(0);
     usable = usable && prepare(open, cells_[open.index]);
@@ -236,23 +236,25 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
   if (size > numerics::short_series) {
     const auto start = expand(1, 2);
     const double guess_s = std::clamp(numerics::next_root(start[0], start[1], 2 * start[2]), 0.0, within_s);
-    // Table steps cover the time up to the parabola's root as far as they fit. The series covers the rest
-    // plus a quarter of it, and a twentieth of the whole for the error of the parabola. If this is too short,
-    // the loop below takes a longer series; the two numbers thus affect only the cost. Measured: of 810 000
-    // landings of configs/benchmark/one_side.yaml and 770 000 of three other maps none was farther than a
-    // twentieth from the parabola's root, and none needed a second series, with 10.3 terms on average. A
-    // series that ends at the parabola's root needs a second one in 42 % of them, 15.3 terms on average.
+    // Table steps cover the time up to the parabola's root as far as they fit. The series covers the
+    // remaining time plus a quarter of it, and a twentieth of the whole time for the error of the parabola.
+    // If this is too short, the loop below takes a longer series, so that the two numbers affect only the
+    // cost. Measured: of 810 000 landings of configs/benchmark/one_side.yaml and 770 000 of three other maps
+    // none was farther than a twentieth from the parabola's root, and none needed a second series, with 10.3
+    // terms on average. If the series ended at the parabola's root, 42 % of them would need a second one,
+    // with 15.3 terms on average.
     stepped_s = guess_s - modes::table_steps(*mode_, fastest, guess_s, [this](int k) { step_by_table(k); });
     size = fastest * (1.25 * (guess_s - stepped_s) + 0.05 * guess_s);
   }
-  size += 1e-4;  // not zero where the root is here, yet among the shortest series
+  size += 1e-4;  // not zero where the root is exactly here, but still among the shortest series
   for (;; size = std::min(4 * size, numerics::longest_series)) {
     const double duration_s = size / fastest;
     const auto terms = expand(duration_s, numerics::series_terms(size));
     root_s = duration_s * numerics::root_of_series(terms);
     if (std::abs(root_s) * fastest <= size || size >= numerics::longest_series) break;
     if (within_s > 0 || terms[0] > at_zero) continue;
-    // The rate is rounding too, as where a rotor starts at rest at a wall: a root elsewhere is meaningless.
+    // The rate is rounding, too, as where a rotor starts at rest at a wall. A root at another place would
+    // then be meaningless.
     root_s = 0;
     break;
   }
@@ -276,7 +278,7 @@ typename ExactMotion<N>::SlidingRate ExactMotion<N>::sliding_rate(std::size_t t)
   return sliding;
 }
 
-/// Every run has entered the open mode first, so that its flow and its responses exist.
+/// Every run has entered the open mode first, so that the flow and the responses of this mode exist.
 template <int N>
 double ExactMotion<N>::sliding_rate_bound(const modes::TouchWatch<N>& touch, const State& physical) const {
   const modes::LinearMode<N>& open = *machine_->mode(0);

@@ -71,7 +71,7 @@ class ExactMotion {
   double closing_acceleration(std::size_t i, const State& physical) const;
 
   /// Factors of the bounds. With a modal form: the length of each pair of the free vibration (n numbers, then
-  /// n zeros); otherwise the magnitude of each of its 2n components.
+  /// n zeros). Otherwise: the magnitude of each of its 2n components.
   State sizes() const;
   GuardValue guard(std::size_t e) const {
     const modes::LinearGuard<N>& guard = mode_->guards[e];
@@ -81,8 +81,8 @@ class ExactMotion {
   }
 
   // A guard is the sum of three parts: the terms of slow pairs of the free vibration, the terms of fast
-  // pairs, and the part forced by unbalance and pulses. Most steps can be certified with only some of them,
-  // so that each can be computed separately.
+  // pairs, and the part forced by unbalance and pulses. Most steps can be certified with only some of these
+  // parts, so that each part can be computed separately.
 
   /// The forced part of a guard.
   struct Forced {
@@ -103,9 +103,9 @@ class ExactMotion {
     }
   };
   Forced forced_guard(std::size_t e) const;
-  /// Sums of terms: slow_sum of the slow pairs, with_fast adds the fast pairs to it, fast_sum of the fast
-  /// pairs only. The first two are for guards with slow pairs (`guard.terms.slow_count` > 0); in other guards
-  /// all pairs count as fast. Only a mode with a modal form distinguishes slow and fast pairs.
+  /// Sums of terms. slow_sum: the slow pairs; with_fast: adds the fast pairs to it; fast_sum: only the fast
+  /// pairs. The first two are for guards with slow pairs (`guard.terms.slow_count` > 0); in other guards all
+  /// pairs count as fast. Only a mode with a modal form distinguishes slow and fast pairs.
   modes::ModalSum slow_sum(const modes::LinearGuard<N>& guard) const {
     return modes::sum_of(guard.terms.slow(), now_.free.data(), true);
   }
@@ -113,9 +113,9 @@ class ExactMotion {
   modes::ModalSum fast_sum(const modes::LinearGuard<N>& guard) const {
     return modes::sum_of(guard.terms.fast(), now_.free.data(), mode_->paired);
   }
-  /// The guard with every fast pair at the maximum of its envelope instead of at its present value. It is
-  /// never below the guard itself and moves as slowly as the slow pairs. A step over which it stays negative
-  /// is certified without the fast pairs, however often they oscillate.
+  /// The guard with every fast pair at the maximum of its envelope instead of its present value. This
+  /// function is never below the guard and moves as slowly as the slow pairs. A step over which it stays
+  /// negative is certified without the fast pairs, however often they oscillate.
   GuardValue slow_guard(const modes::LinearGuard<N>& guard, const modes::ModalSum& slow,
                         const Forced& forced) const;
   GuardValue whole_guard(const modes::LinearGuard<N>& guard, const modes::ModalSum& all,
@@ -154,13 +154,14 @@ class ExactMotion {
   double land(std::size_t e, double within_s);
 
   /// Bound on |d slip / dt| / length scale, without the contribution of friction, of a touching contact that
-  /// has a `friction_rate`. It holds within the mode's longest step from `physical`, the present state.
+  /// has a `friction_rate`. The bound holds within the mode's longest step from `physical`, the present
+  /// state.
   double sliding_rate_bound(const modes::TouchWatch<N>& touch, const State& physical) const;
 
   void carry_no_tangents() { tangents_.clear(); }
-  /// Carries tangent vectors of the state from here on.
+  /// Starts to carry tangent vectors of the state.
   void carry_tangents(const Eigen::MatrixXd& vectors) { tangents_.begin(*mode_, scale_, vectors); }
-  /// Writes the tangent vectors at the present state: the first ones, as many as `vectors` has columns.
+  /// Writes the tangent vectors at the present state: the first ones, one for each column of `vectors`.
   void put_tangents(Eigen::MatrixXd& vectors) { tangents_.put(*mode_, scale_, vectors); }
 
   /// Carries one more tangent vector, given as a change of (u, u').

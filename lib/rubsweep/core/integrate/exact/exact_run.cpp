@@ -18,12 +18,13 @@ constexpr double shortest_step = 1e-13;  ///< share of a turn: smallest step, us
 constexpr double same_instant = 1e-13;   ///< share of a turn: crossings closer than this are simultaneous
 /// Shortest step towards an annular stop, as a share of a turn; below it the stop counts as touched.
 constexpr double shortest_to_annular = 1e-7;
-/// Largest number of steps in a turn. More steps show that the bounds do not fit the motion, as with friction
-/// so strong that closed forms are small differences of large numbers; the adaptive solver then makes the
-/// turn.
+/// Largest number of steps in a turn. More steps show that the bounds are too wide for the motion, as with
+/// friction so strong that closed forms are small differences of large numbers. The adaptive solver then
+/// makes the turn.
 constexpr long most_steps = 100'000;
-/// Shortest certain stretch of saturated friction, as a share of a mode's longest step, for returning from
-/// another solver. It is longer than the stretch that ends an exact piece, so that the two do not alternate.
+/// Shortest certain stretch of saturated friction, as a share of a mode's longest step, for a return from
+/// another solver. It is longer than the stretch that ends an exact piece, so that the two solvers do not
+/// alternate.
 constexpr double stretch_to_join = 16 * SlipWatch<2>::shortest_stretch;
 
 }  // namespace
@@ -171,7 +172,7 @@ run::Outcome ExactRun<N>::end_turn(run::TurnReport& report) {
   return run::Outcome::ok;
 }
 
-/// Takes steps until an event ends them; only a single step where something is watched.
+/// Takes steps until an event ends them; takes only a single step if something must be observed.
 template <int N>
 run::Outcome ExactRun<N>::go_on(run::TurnReport& report) {
   watch_.start_step(motion_, clock_.time(), report);

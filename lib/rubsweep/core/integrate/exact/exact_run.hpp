@@ -40,11 +40,11 @@ class ExactRun {
   /// State after `unsaturated`. Its memory is reused.
   const Handover& handover();
 
-  /// Continues a turn of another solver, which made `report` up to here. False, with nothing changed, where
-  /// friction is not saturated, or would be only for a moment.
+  /// Continues a turn of another solver, which made `report` up to this point. False, with nothing changed,
+  /// where friction is not saturated, or would be for a moment only.
   bool join(double phase_rad, std::span<const double> state, const std::vector<contact::Mode>& modes,
             const run::TurnReport& report);
-  /// Completes the turn after `join`, as `advance`.
+  /// Completes the turn after `join`, as `advance` does.
   run::Outcome go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report);
 
   /// Starts the next revolution from `section` (as TurnReport::section), after turns made by another solver.

@@ -46,8 +46,8 @@ class PeakWatch {
     start_ = motion.here();
   }
 
-  /// Ends a step of `duration_s` in one mode, `since_look_s` after the last state that was passed, or after
-  /// the step's start.
+  /// Ends a step of `duration_s` in one mode. `since_look_s`: time since the last state that was passed, or
+  /// since the step's start.
   void step(const ExactMotion<N>& motion, double duration_s, double since_look_s, run::TurnReport& report) {
     const State end = motion.physical();
     pass(end, since_look_s, report);
@@ -98,8 +98,8 @@ class PeakWatch {
     return {z.squaredNorm(), 2 * z.dot(v)};
   }
 
-  /// Covers a step from start to end. A casing without contact vibrates at its own rate, one in contact as
-  /// fast as the contact makes it. In a mode without pairs the run's own steps are short enough.
+  /// Covers a step from start to end. A casing without contact vibrates at its own rate, a casing in contact
+  /// at the rate of the contact. In a mode without pairs the run's own steps are short enough.
   void raise_casing(const ExactMotion<N>& motion, std::size_t c, const State& end, double duration_s,
                     double& known_m) {
     const Casing& casing = casings_[c];
@@ -124,9 +124,9 @@ class PeakWatch {
     known_m = std::max(known_m, length_m_ * std::sqrt(square));
   }
 
-  /// Covers a step from start to its end `here`. Where the force may exceed the known peak, the steps are so
-  /// short that a cubic through values and rates of both ends has its maximum. In a mode without pairs the
-  /// run's own steps are short enough.
+  /// Covers a step from start to its end `here`. Where the force may exceed the known peak, shorter steps are
+  /// taken, so that a cubic through values and rates of both ends has its maximum. In a mode without pairs
+  /// the run's own steps are short enough.
   void raise_force(const ExactMotion<N>& motion, std::size_t t, const Instant& here, double left_s,
                    double& known_n) {
     const double reach_s = peak_reach_s(motion);

@@ -19,10 +19,10 @@
 namespace rubsweep::integrate::exact {
 
 /// Event function for friction that must stay saturated and keep its direction, so that its coefficient is
-/// the constant of the linear mode. It works over stretches of contact no longer than the mode's longest
+/// the constant of the linear mode. It is applied to stretches of contact no longer than the mode's longest
 /// step. The slip margin is a guard: its value, its rate and a bound of its second derivative give a stretch
-/// over which it cannot reach zero. Friction is therefore saturated throughout a stretch. When the next
-/// stretch would be too short for a step, the motion is still at a point with saturated friction.
+/// over which it cannot reach zero. Friction is therefore saturated throughout a stretch. If the next stretch
+/// would be too short for a step, the motion is still at a point with saturated friction.
 template <int N>
 class SlipWatch {
  public:
@@ -90,10 +90,10 @@ class SlipWatch {
     return longest_s_ >= least_share * motion.mode().longest_step_s;
   }
 
-  /// Slip margin of touch `t` at `physical`, the motion's state, as a guard in m/s: negative while friction
-  /// is saturated, zero where it leaves saturation, with a bound of its second derivative within the mode's
-  /// longest step. For a touch with a `friction_rate`, the rate is instead an upper bound of the first
-  /// derivative. Only for contacts that are not `always` saturated.
+  /// Slip margin of touch `t` at `physical`, the motion's state, as a guard in m/s. It is negative while
+  /// friction is saturated and zero where friction leaves saturation, and has a bound of its second
+  /// derivative within the mode's longest step. For a touch with a `friction_rate`, the rate is instead an
+  /// upper bound of the first derivative. Only for contacts that are not `always` saturated.
   Guard guard(const ExactMotion<N>& motion, std::size_t t, const State& physical) const {
     const modes::TouchWatch<N>& touch = motion.mode().touches[t];
     const Contact& c = contacts_[touch.contact];
@@ -108,12 +108,12 @@ class SlipWatch {
     return contacts_[motion.mode().touches[t].contact].always();
   }
 
-  /// Whether the slip may reach zero in this stretch with one-way friction, which holds at every speed and
-  /// never ends a stretch.
+  /// Whether the slip may reach zero in this stretch with one-way friction. (Such friction is saturated at
+  /// every speed, so it never ends a stretch.)
   bool may_reverse() const { return may_reverse_; }
 
-  /// Whether such a slip reached zero in a step of `duration_s` inside the stretch that ends at `physical`,
-  /// by the cubic through its values and rates at both ends.
+  /// Whether such a slip reached zero in a step of `duration_s` that lies inside the stretch and ends at
+  /// `physical`, by the cubic through its values and rates at both ends.
   bool reversed_in(const ExactMotion<N>& motion, const State& physical, double duration_s) {
     bool reversed = false;
     const auto before = [this](const modes::TouchWatch<N>& touch) { return contacts_[touch.contact].last; };
@@ -153,8 +153,8 @@ class SlipWatch {
     bool always() const { return above_m_per_s < 0; }
   };
 
-  /// Slip speed above which friction is saturated. A sticking contact has a slip of zero with rounding
-  /// errors, which must not release it where its friction drops as soon as it slips.
+  /// Slip speed above which friction is saturated. The slip of a sticking contact is zero with rounding
+  /// errors; these must not release the contact where its friction drops as soon as it slips.
   static double saturated_above(const scene::Scene& scene, const scene::Contact& contact,
                                 const contact::SaturatedFriction& friction) {
     if (!contact::saturated_friction(contact.friction)) return std::numeric_limits<double>::infinity();

@@ -15,7 +15,8 @@ struct StepLimits {
   double same_instant_s = 0;         ///< crossings closer than this count as simultaneous
 };
 
-/// Next action of an exact run: a step that crosses no guard, or a landing on the first one crossed.
+/// Next action of an exact run: a step that crosses no guard, or a landing on the first guard that is
+/// crossed.
 struct StepChoice {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
@@ -24,9 +25,9 @@ struct StepChoice {
   double earliest_s = 0;        ///< earliest possible instant of the crossing
   bool annular = false;         ///< true: an annular stop is about to be touched
 
-  /// Limits the step. If the limit is before the latest instant of the chosen crossing, that crossing is no
-  /// longer certainly the first: the step then ends before it as well, unless all of this counts as one
-  /// instant.
+  /// Limits the step. If the limit is before the latest instant of the chosen crossing, this crossing is no
+  /// longer certain to be the first. The step then ends before the crossing as well, unless all of this
+  /// counts as one instant.
   void keep_below(double other_step_s, double same_instant_s) {
     if (other_step_s >= step_s) return;
     const double safe_s = crossing == none ? other_step_s : std::min(other_step_s, earliest_s);
@@ -35,9 +36,9 @@ struct StepChoice {
     crossing = none;
   }
 
-  /// Adds a crossing of guard `e` between two instants, the later one within reach. One of two crossings is
-  /// the first if its latest instant is before the earliest instant of the other. If neither is, the step
-  /// ends before both: from there both intervals are smaller, by the square of their length.
+  /// Adds a crossing of guard `e` between two instants; the later one is within reach. Of two crossings, one
+  /// is certainly the first if its latest instant is before the earliest instant of the other. If neither is,
+  /// the step ends before both: seen from there, both intervals are smaller, by the square of their length.
   void keep_first(std::size_t e, double from_s, double to_s, double same_instant_s) {
     if (crossing == none) {
       if (to_s >= step_s) return keep_below(from_s, same_instant_s);

@@ -179,7 +179,7 @@ void StickingMode::begin(double phase_rad, const Eigen::Ref<const Eigen::VectorX
   motion.phase_rad = phase_rad;
   motion.drift = rows_ * state.head(n);
   motion.drift_rate = rows_ * state.tail(n);
-  // Taylor pieces leave a slip of rounding size, which would add up over a whole turn.
+  // Taylor pieces leave a slip of the size of rounding, which would add up over a whole turn.
   for (const Ring& ring : rings_) motion.drift_rate(ring.held) = 0;
   motion.free.resize(2 * k);
   if (k == 0) return;

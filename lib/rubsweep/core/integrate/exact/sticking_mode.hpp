@@ -36,27 +36,27 @@ struct StickingMotion {
       drift_rate;  ///< displacements along the tangents of the sticking contacts, and their rates
 };
 
-/// A joint mode of flat contacts, some of which stick by dry friction, in closed form. A sticking contact
-/// keeps its slip at zero: along its tangent the motion has the constant speed of the surface, which removes
-/// one degree of freedom from the vibration. Let R be the rows of the sliding speeds, B the accelerations by
-/// unit frictions, and M = R B. Then u'' = -A u - C u' + f + B lambda and R u'' = 0 give
+/// A joint mode of flat contacts, some of which stick by dry friction, in closed form. A sticking contact has
+/// zero slip: along its tangent the motion has the constant speed of the surface, so that the vibration loses
+/// one degree of freedom. Let R be the rows of the sliding speeds, B the accelerations by unit frictions, and
+/// M = R B. Then u'' = -A u - C u' + f + B lambda and R u'' = 0 give
 ///
 ///     u = Q y + B M^-1 sigma,   R Q = 0,   sigma'' = 0,
 ///
 /// where y is a linear vibration, forced by the unbalance, constant forces and the drift sigma. The friction
 /// lambda = M^-1 R (A u + C u' - f) is a linear function of the motion. Units are scaled, time is in radians.
-/// An annular stop whose wall, where the rotor sticks, is replaced by a flat one with normal n and tangent t
-/// differs only for small changes: a change of the sticking place turns n and t, and so the directions of
-/// friction and normal force.
+/// An annular stop in which the rotor sticks is replaced by a flat wall with normal n and tangent t. It
+/// differs from a flat wall only for small changes of the motion: a change of the sticking place turns n and
+/// t, and thus the directions of friction and normal force.
 class StickingMode {
  public:
   using System = run::ScaledSystem<Eigen::Dynamic>;
 
   /// `modes`: mode of each contact; `sticks`: which of them stick; `ways`: sign of the slip of contacts with
-  /// dry friction at its limit, otherwise 0. Sticking contacts must keep the slip of these, as on two walls
-  /// with one tangent. Empty where the mode has no such closed form: the motion does not determine the
-  /// frictions, no equilibrium, an undamped resonance, or nearly dependent vibrations. Forces of twice the
-  /// shaft's frequency are not supported.
+  /// dry friction at its limit, otherwise 0. Sticking contacts must hold such contacts at zero slip, as on
+  /// two walls with one tangent. Empty where the mode has no such closed form: the motion does not determine
+  /// the frictions, no equilibrium, an undamped resonance, or nearly dependent vibrations. Forces of twice
+  /// the shaft's frequency are not supported.
   static std::optional<StickingMode> make(const System& system, const std::vector<contact::Mode>& modes,
                                           const std::vector<bool>& sticks, const std::vector<double>& ways);
 
@@ -90,7 +90,7 @@ class StickingMode {
                                 const std::vector<bool>& sticks, const std::vector<double>& ways,
                                 Eigen::Index count);
   /// Solves the vibration y in the null space `q` of R; `to_y_` must be known, and `along` is B M^-1. False
-  /// where it has no closed form.
+  /// where the vibration has no closed form.
   bool solve_vibration(const Eigen::MatrixXd& q, const Eigen::MatrixXd& along);
   void move_free(const std::vector<numerics::Pair>& flows, Eigen::Ref<Eigen::VectorXd> free) const;
   Eigen::VectorXd by_turned_normal(const Eigen::MatrixXd& force, double duration_rad,
@@ -99,7 +99,8 @@ class StickingMode {
                   const std::vector<bool>& sticks);
   void add_rings(const System& system, const std::vector<bool>& sticks, const Eigen::MatrixXd& along);
 
-  Eigen::MatrixXd stiffness_, damping_;  ///< A and C with the contacts, without the friction of sticking ones
+  /// A and C including the contacts, but without the friction of sticking contacts
+  Eigen::MatrixXd stiffness_, damping_;
   Eigen::VectorXd constant_;
   Eigen::VectorXcd drive_;                    ///< drive by the unbalance: Re(drive e^{i phase})
   Eigen::MatrixXd rows_;                      ///< R, rows of the sliding speeds
@@ -114,8 +115,8 @@ class StickingMode {
   std::vector<StickingGuard> guards_;
   std::vector<StickingView> forces_;
 
-  /// A sticking annular stop, in which the rotor is at the distance first_row u + offset from the centre.
-  /// Turning its normal by an angle adds angle times `change` times the accelerations without friction.
+  /// A sticking annular stop, in which the rotor is at the distance first_row u + offset from the centre. If
+  /// its normal turns by an angle, angle * `change` * (accelerations without friction) is added.
   struct Ring {
     Eigen::Index held = 0;  ///< index among the sticking contacts
     Eigen::RowVectorXd first_row;

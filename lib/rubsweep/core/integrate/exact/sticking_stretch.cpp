@@ -15,9 +15,9 @@ namespace rubsweep::integrate::exact {
 namespace {
 
 /// Spacing of cubics in radians of a vibration. They miss its peaks by less than h^4 / 384 of its amplitude:
-/// 2e-9 for the vibration by unbalance, 1e-6 for faster ones, which are small beside it.
+/// 2e-9 for the vibration by unbalance, and 1e-6 for faster vibrations, which are comparatively small.
 constexpr double peak_step = 0.03, fast_peak_step = 0.15;
-/// Longest Taylor piece, in radians of the fastest vibration: a step must be longer.
+/// Longest Taylor piece, in radians of the fastest vibration; a step must be longer to save time.
 constexpr double piece = 8;
 /// A vibration below this share of a clearance is ignored: it adds less than that to a peak.
 constexpr double unseen = 1e-10;
@@ -27,7 +27,7 @@ constexpr double least_block = 8;
 constexpr double same_normal = 1e-14;
 
 /// Duration, at most `longest_rad`, in which a guard cannot reach zero. The guard is the sum of the slow
-/// parts of `view` and, for its free vibration, its largest or its present value.
+/// parts of `view` and of its free vibration, taken at its largest or at its present value.
 double certified_by(const StickingView& view, const StickingMotion& motion, double growth,
                     double longest_rad) {
   const Eigen::Index k = motion.free.size() / 2;
@@ -57,8 +57,8 @@ StickingStretch::StickingStretch(const scene::Scene& scene) : system_(run::scale
   for (const auto& contact : system_.contacts) {
     const bool normal_stands = contact::linear(contact.wall) || contact.surface_speed_m_per_s == 0;
     const contact::FrictionTerms terms = contact::friction_terms(contact.friction);
-    // A stretch ends at the bound of friction. If friction drops as soon as the contact slips, a state at the
-    // bound does not tell whether the contact is held or released; Taylor pieces pass that instant.
+    // A stretch ends at the limit of friction. If friction drops as soon as the contact slips, a state at the
+    // limit does not show whether the contact is held or released; Taylor pieces pass this instant.
     dry_.push_back(normal_stands && terms.holding != 0 && !terms.jumps());
     const bool dry = terms.holding != 0 && terms.holding == terms.dry;
     steady_.push_back(contact::linear(contact.wall) && (dry || !contact::acts(contact.friction)));
@@ -119,7 +119,8 @@ void StickingStretch::watch(MadeMode& made) const {
   for (const auto& casing : system_.casings) add(casing.map, &run::TurnReport::peak_casing_displacement_m);
 }
 
-/// The system with each annular stop that holds the rotor replaced by a flat wall normal to its local normal.
+/// The system in which each annular stop that holds the rotor is replaced by a flat wall perpendicular to the
+/// local normal.
 run::ScaledSystem<Eigen::Dynamic> StickingStretch::with_flat_rings() const {
   run::ScaledSystem<Eigen::Dynamic> flat = system_;
   auto normal = normals_.begin();
@@ -213,8 +214,8 @@ double StickingStretch::peak_step_rad() const {
   return std::min(peak_step, fast_peak_step / fastest);
 }
 
-/// Upper bound of a peak within `duration_rad` of `motion`: slow parts are straight lines plus their
-/// curvature, and vibrations of more than a radian have their full amplitude.
+/// Upper bound of a peak within `duration_rad` of `motion`: slow parts are taken as straight lines plus their
+/// curvature, and vibrations over more than a radian at their full amplitude.
 double StickingStretch::bound(const Watched& watched, double duration_rad) const {
   const Eigen::Index k = mode_->pairs();
   const double grown = std::exp(std::max(0.0, mode_->growth()) * duration_rad);

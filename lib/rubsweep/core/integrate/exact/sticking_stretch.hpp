@@ -32,7 +32,7 @@ class StickingStretch {
 
   /// Continues the turn of `report` towards `end_phase_rad`, without pulses or impulses, as far as is
   /// certain, with at most `most_steps` steps. False, with nothing changed, where a Taylor piece would reach
-  /// as far, or where the modes do not stick in this way.
+  /// as far, or where the contacts do not stick in this way.
   bool go_on(const run::TurnRequest& request, const std::vector<contact::Mode>& modes,
              const std::vector<contact::Slip>& slips, double end_phase_rad, long most_steps,
              StretchState& place, run::TurnReport& report);
@@ -76,7 +76,8 @@ class StickingStretch {
   void watch(MadeMode& made) const;
   double bound(const Watched& watched, double duration_rad) const;
 
-  std::vector<bool> dry_, steady_;  ///< per contact: it can stick; its friction does not depend on the slip
+  /// per contact: whether it can stick; whether its friction is independent of the slip
+  std::vector<bool> dry_, steady_;
   std::map<std::vector<int>, MadeMode> modes_;
   std::vector<int> key_;
   std::vector<bool> sticks_;

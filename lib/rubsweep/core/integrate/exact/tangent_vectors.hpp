@@ -13,15 +13,16 @@
 namespace rubsweep::integrate::exact {
 
 /// Tangent vectors of an exact run: small disturbances of its state, moved by the derivative of the flow.
-/// Inside a contact mode the law is linear, and the derivative is the flow of the mode itself. It is applied
-/// once per visit to the mode, for the whole time spent there, not once per step.
+/// Inside a contact mode the law is linear, so that this derivative is the flow of the mode itself. It is
+/// applied once per visit to the mode, for the whole time spent there, not once per step.
 template <int N>
 class TangentVectors {
  public:
   void clear();
-  /// Begins in `mode` with one vector per column, as TurnRequest::tangent_vectors for sections in this scale.
+  /// Begins in `mode` with one vector per column, given as TurnRequest::tangent_vectors for sections in this
+  /// scale.
   void begin(const modes::LinearMode<N>& mode, const run::StateScale& scale, const Eigen::MatrixXd& vectors);
-  /// Notes that the run has spent another `duration_s` in its mode.
+  /// Notes that the run has spent a further `duration_s` in its mode.
   void pass(double duration_s) { lag_s_ += duration_s; }
   /// Changes from mode `from` to `to`. The force is continuous there, so that tangent vectors do not jump
   /// (the saltation matrix is the identity); only their coordinates change.

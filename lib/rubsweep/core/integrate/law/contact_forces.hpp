@@ -15,8 +15,8 @@
 namespace rubsweep::integrate::law {
 
 /// Normal force and friction of each contact of a system at one state, the mode after it, and the guards of
-/// its modes. Located: every contact obeys the law of its current mode, continued smoothly past the mode's
-/// end. Smoothed: the blended law of linear contacts, without modes. Dry friction, which jumps where the slip
+/// its modes. A located contact obeys the law of its current mode, continued smoothly past the mode's end. A
+/// smoothed contact obeys the blended linear law and has no modes. Dry friction, which jumps where the slip
 /// reverses, depends on `slips`.
 template <int N, bool Smoothed>
 class ContactForces : public ContactStates<N, Smoothed> {
@@ -65,7 +65,8 @@ class ContactForces : public ContactStates<N, Smoothed> {
     const bool begins = modes_[i] == contact::Mode::open;
     contact::Kinematics k = kinematics(i, state, rate);
     if (k.penetration > 0) {
-      // An open annular stop has a guard in squares, but the modes are separated by the penetration itself.
+      // The guard of an open annular stop is a difference of squares, but the penetration itself separates
+      // the modes.
       modes_[i] = contact::Mode::sprung;
       k = kinematics(i, state, rate);
     }
@@ -76,8 +77,8 @@ class ContactForces : public ContactStates<N, Smoothed> {
     modes_[i] = mode_after(i, mode, k);
   }
 
-  /// Guards armed in the mode of contact `i`; and the mode just after an instant at which `mode` may have
-  /// ended.
+  /// Guards armed in the mode of contact `i`. The second function gives the mode just after an instant at
+  /// which `mode` may have ended.
   contact::Guards guards(std::size_t i, const contact::Kinematics& k) const {
     return guards(i, modes_[i], k);
   }
@@ -85,7 +86,7 @@ class ContactForces : public ContactStates<N, Smoothed> {
     return contact::mode_after(mode, k, [&](contact::Mode of) { return guards(i, of, k); });
   }
 
-  /// Begins an impact at contact `i` with this closing speed, on which its damping may depend.
+  /// Begins an impact at contact `i` with this closing speed, on which the damping may depend.
   void begin_impact(std::size_t i, double closing_speed) { curved_.begin_impact(i, closing_speed); }
   double impact_damping(std::size_t i) const { return curved_.impact_damping(i); }
 

@@ -50,8 +50,9 @@ Eigen::Matrix<double, N, 1> tangential_push(const run::ScaledContact<N>& c, cons
 }
 
 /// Discrete states of a system's contacts. Each contact has a mode. With dry friction, which jumps where the
-/// slip reverses, it also has a slip state: forward, backward, or sticking at its present slip, with holding
-/// forces and their derivatives by the state. A smoothed law has neither modes nor slips.
+/// slip reverses, it also has a slip state: forward, backward, or sticking. A sticking contact keeps its
+/// present slip by a holding force, whose derivatives by the state are available. A smoothed law has neither
+/// modes nor slips.
 template <int N, bool Smoothed>
 class ContactStates {
  public:
@@ -97,7 +98,8 @@ class ContactStates {
   bool touches_dry(std::size_t i) const {
     return !Smoothed && dry_[i].holding > 0 && modes_[i] != contact::Mode::open;
   }
-  /// Whether static friction exceeds sliding friction; whether friction drops when the slip begins.
+  /// Whether static friction exceeds sliding friction. The second function: whether friction drops when the
+  /// slip begins.
   bool holds_harder(std::size_t i) const { return dry_[i].holding > dry_[i].dry; }
   bool jumps(std::size_t i) const { return dry_[i].jumps(); }
   bool any_dry() const { return !Smoothed && any_dry_; }
@@ -108,7 +110,7 @@ class ContactStates {
   void poise(std::size_t i, bool so) { poised_[i] = so; }
   bool any_poised() const { return std::ranges::find(poised_, true) != poised_.end(); }
 
-  /// Sets whether no friction was found that obeys the law; the run must then end.
+  /// Sets whether the search for friction that obeys the law failed; the run must then end.
   void leave_unsettled(bool so) { unsettled_ = so; }
   bool unsettled() const { return unsettled_; }
 
@@ -165,7 +167,8 @@ class ContactStates {
     return contact_frame(system_.contacts[i], ConstMap(&state[0], n), ConstMap(&state[0] + n, n));
   }
 
-  /// Slip of contact `i` in scaled units; and its time derivative for a given rate of the state.
+  /// Slip of contact `i` in scaled units. The second function gives its time derivative for a given rate of
+  /// the state.
   template <class State>
   double slip(std::size_t i, const State& state) const {
     const Contact& c = system_.contacts[i];
@@ -192,7 +195,8 @@ class ContactStates {
     return row;
   }
 
-  /// Mobility of the surfaces of these contacts; and the accelerations of their slips for a given rate.
+  /// Mobility of the surfaces of these contacts. The second function gives the accelerations of their slips
+  /// for a given rate.
   template <class State>
   contact::StickMobility mobility(const Stuck& stuck, const State& state) const {
     const auto count = static_cast<Eigen::Index>(stuck.count);
@@ -238,9 +242,9 @@ class ContactStates {
  protected:
   using Contact = run::ScaledContact<N>;
 
-  /// Derivatives of the holding forces by u and by u', one contact per row, from those of the acceleration
-  /// without these forces. They follow from the sticking constraint of small changes: with the tangent t and
-  /// the sliding speed s = t . d', a sticking contact has t . d'' = s r' / r.
+  /// Derivatives of the holding forces by u and by u', one contact per row, from the derivatives of the
+  /// acceleration without these forces. They follow from the sticking constraint of small changes: with the
+  /// tangent t and the sliding speed s = t . d', a sticking contact has t . d'' = s r' / r.
   template <class State>
   std::pair<Eigen::MatrixXd, Eigen::MatrixXd> holding_slopes(const State& state, const Holding& holding,
                                                              const Matrix& by_u, const Matrix& by_v) const {

@@ -11,8 +11,8 @@
 
 namespace rubsweep::integrate::law {
 
-/// Contacts of a system with a non-linear law, and the damping c of each since it began to touch, in the
-/// scaled force S(p) (1 + c p'). Linear contacts have an entry, too, but no damping.
+/// Contacts of a system with a non-linear law, and the damping c of each contact since it began to touch, in
+/// the scaled force S(p) (1 + c p'). Linear contacts have an entry, too, but no damping.
 template <int N>
 class CurvedContacts {
   using Contact = run::ScaledContact<N>;
@@ -37,8 +37,8 @@ class CurvedContacts {
     damping_[i] = c.law->factor() / approach;
   }
 
-  /// Begins an impact for a run that starts there, perhaps inside the wall: the approach speed is that with
-  /// which a free mass in this state would have begun to touch.
+  /// Begins an impact for a run that starts here, perhaps inside the wall. The approach speed is that with
+  /// which a free mass would have had to touch the wall to reach this state.
   void begin_inside(std::size_t i, const contact::Kinematics& k) {
     const Contact& c = system_.contacts[i];
     if (!c.law) return;
@@ -46,7 +46,7 @@ class CurvedContacts {
     begin_impact(i, std::sqrt(k.closing_speed * k.closing_speed + 2 * c.mobility() * energy));
   }
 
-  /// A separate function, so that linear contacts do not pay for its registers.
+  /// A separate function, so that it does not take registers from the loop of linear contacts.
   [[gnu::noinline]] contact::NormalForce force(std::size_t i, contact::Mode mode, double p, double v) const {
     if (mode == contact::Mode::open) return {};
     const double spring = spring_n(i, p);

@@ -10,21 +10,22 @@
 
 namespace rubsweep::integrate::law {
 
-/// Zero band of the slip of a poised contact (compare contact::no_slip). A contact that leaves it against its
-/// friction is settled anew.
+/// Zero band of the slip of a poised contact (compare contact::no_slip). A contact that leaves the band
+/// against its friction is settled again.
 inline constexpr double poised_slip = 1e-11;
 
 template <class Law, class State>
 bool stands(const Law& law, std::size_t i, const State& state) {
   const auto& c = law.system().contacts[i];
   const double surface = c.surface_speed_m_per_s / c.slip_scale_m_per_s;
-  // A contact that is settled anew may be slightly outside the band, and poised again.
+  // A contact that is settled again may be slightly outside the band and become poised again.
   const double near = law.poised(i) ? 2 * poised_slip : contact::no_slip;
   return std::abs(law.slip(i, state)) <= near * std::max(1.0, std::abs(surface));
 }
 
-/// Lists the contacts with zero slip: those that stick, those within the zero band, and those selected by
-/// `besides`, without those excluded by `never`. None of them remains poised. False where there are too many.
+/// Lists the contacts with zero slip: contacts that stick, contacts within the zero band, and those selected
+/// by `besides`, but not those excluded by `never`. None of them remains poised. False where there are too
+/// many.
 template <class Law, class State, class Besides, class Never>
 bool find_standing(Law& law, const State& state, const Besides& besides, const Never& never,
                    typename Law::Stuck& standing) {
@@ -40,8 +41,8 @@ bool find_standing(Law& law, const State& state, const Besides& besides, const N
   return true;
 }
 
-/// Decides stick or slip for these contacts. `more` is an additional acceleration of their slips, beside that
-/// by all other forces.
+/// Decides stick or slip for these contacts. `more`: an acceleration of their slips in addition to that by
+/// all other forces.
 template <class Law, class State>
 void settle_standing(Law& law, const typename Law::Stuck& standing, const State& state, State& rate,
                      double phase, const contact::StickVector& more) {
@@ -64,8 +65,8 @@ void settle_standing(Law& law, const typename Law::Stuck& standing, const State&
   }
 }
 
-/// Decides stick or slip for all contacts with zero slip: those that stick, those within the zero band, and
-/// those selected by `besides`. `rate` is scratch for a rate of the state.
+/// Decides stick or slip for all contacts with zero slip: contacts that stick, contacts within the zero band,
+/// and those selected by `besides`. `rate` is scratch for a rate of the state.
 template <class Law, class State, class Besides>
 void settle_slips(Law& law, const State& state, State& rate, double phase, const Besides& besides) {
   typename Law::Stuck standing;
@@ -76,9 +77,9 @@ void settle_slips(Law& law, const State& state, State& rate, double phase, const
 }
 
 /// Releases the sticking contact `i`, whose friction has reached its limit in the direction of `slip`. Poised
-/// contacts may have to hold its load instead; they are settled again for a slightly larger load, the part
-/// that `i` can no longer take. All frictions are continuous unless that of `i` drops as soon as it slips. In
-/// that case all contacts are settled, because others may be unable to take over. True where contacts were
+/// contacts may have to take over its load. They are settled again for a slightly larger load: the part that
+/// `i` can no longer take. All frictions are continuous unless that of `i` drops as soon as it slips. In that
+/// case all contacts are settled, because others may be unable to take over. Returns true where contacts were
 /// settled. `rate` is scratch.
 template <class Law, class State>
 bool let_go(Law& law, std::size_t i, contact::Slip slip, const State& state, State& rate, double phase) {

@@ -14,8 +14,8 @@ const double last_phase = std::nextafter(numerics::full_turn, 0.0);
 
 }  // namespace
 
-/// Number of the first impulse at or after the start of a revolution. Rounding can neither lose an impulse
-/// between two revolutions nor put it into both.
+/// Number of the first impulse at or after the start of a revolution. Despite rounding, no impulse is lost
+/// between two revolutions, and none belongs to both.
 Impulses::TrainPosition Impulses::position(const Train& train, long revolution) {
   const double periods = static_cast<double>(revolution) * train.multiple, whole = std::floor(periods);
   const double rest = periods - whole;

@@ -18,7 +18,7 @@ void add_impulse(const Eigen::VectorXd& jump_m_per_s, const StateScale& scale, S
 }
 
 /// The impulses of a scene, turn by turn. Where a whole number of impulses fits into a turn, their instants
-/// repeat exactly, bit by bit.
+/// repeat exactly, to the last bit.
 class Impulses {
  public:
   explicit Impulses(const scene::Scene& scene);
@@ -61,7 +61,8 @@ class Impulses {
 /// True when every revolution gets its impulses at the same phases.
 bool same_every_turn(const scene::Scene& scene);
 
-/// Whether a contact is damped by how fast it began to touch, which a section that touches does not say.
+/// Whether the damping of a contact depends on the speed at which it began to touch. The section of a motion
+/// in contact does not contain this speed.
 bool remembers_impacts(const scene::Scene& scene);
 
 }  // namespace rubsweep::integrate::run

@@ -24,7 +24,7 @@ enum class Stepper {
 /// Treatment of a change of contact mode by a stepper.
 enum class ContactHandling {
   located,   ///< stops at every mode switch, located to rounding
-  smoothed,  ///< integrates through, with a C1 blend of the law over `smoothing_m`
+  smoothed,  ///< integrates over the switch, with a law blended smoothly (C1) over `smoothing_m`
 };
 
 /// Words in the configuration and in tables.
@@ -44,7 +44,8 @@ struct SolverOptions {
   ContactHandling contact = ContactHandling::located;
   double relative_tolerance = 1e-8;  ///< absolute tolerance: times clearance, or clearance times speed
   double smoothing_m = 1e-7;         ///< penetration width of the blend; only for `smoothed`
-  long max_steps_per_revolution = 1'000'000;  ///< limit of accepted plus refused steps; beyond it: step_limit
+  /// limit of accepted plus refused steps; if exceeded: step_limit
+  long max_steps_per_revolution = 1'000'000;
 
   static constexpr model::Range relative_tolerance_range{.low = 1e-14, .high = 1e-2};
   static constexpr model::Range smoothing_range = model::positive;
@@ -76,10 +77,11 @@ inline constexpr std::string_view no_curved_laws =
     "solver: method exact and contact smoothed know linear contacts alone, allowed: method auto or adaptive "
     "with contact located beside a law of another kind";
 
-/// `automatic` uses the implicit stepper where friction alone would change the slip faster than this many
-/// times the contact's own angular frequency: 4 tolerance^(-1/4). Below it dopri5 takes less time: its steps
-/// are limited by stability (h rate < 3.3), but cost a fifth. For accuracy rosenbrock4, of order 4, needs
-/// steps of about 8 tolerance^(1/4) / frequency. Measured by studies/cost/stiff_friction_table.
+/// `automatic` uses the implicit stepper where the rate at which friction alone would change the slip exceeds
+/// the contact's own angular frequency by this factor: 4 tolerance^(-1/4). For smaller ratios dopri5 takes
+/// less time: stability limits its steps (h rate < 3.3), but they cost a fifth. For accuracy rosenbrock4, of
+/// order 4, needs steps of about 8 tolerance^(1/4) / frequency. Measured by
+/// studies/cost/stiff_friction_table.
 inline double stiff_friction_ratio(double relative_tolerance) {
   return 4 / std::pow(relative_tolerance, 0.25);
 }

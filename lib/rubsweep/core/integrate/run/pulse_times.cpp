@@ -32,8 +32,8 @@ bool PulseTimes::begin_turn(long revolution) {
   return look(0);
 }
 
-/// Updates which pulses act. A pulse acts from its beginning up to, but not at, its end: an instant at which
-/// a run stops belongs to what follows.
+/// Updates which pulses act. A pulse acts from its beginning up to, but not including, its end: an instant at
+/// which a run stops belongs to the time after it.
 bool PulseTimes::look(double time) {
   bool changed = false;
   next_change_ = std::numeric_limits<double>::infinity();

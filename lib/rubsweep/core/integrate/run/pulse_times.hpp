@@ -9,8 +9,8 @@
 
 namespace rubsweep::integrate::run {
 
-/// Times of the half-sine pulses of a run, revolution by revolution; pulses may overlap. After the pulses of
-/// the scene come the parts of its second harmonic, which act from the beginning. Instants count from the
+/// Times of the half-sine pulses of a run, revolution by revolution; pulses may overlap. The parts of the
+/// scene's second harmonic follow its pulses; they act from the beginning. Instants are measured from the
 /// start of the revolution in the time unit of a StateScale. No memory is allocated after construction.
 class PulseTimes {
  public:
@@ -34,7 +34,7 @@ class PulseTimes {
 
  private:
   struct Pulse {
-    double duration = 0;          ///< 0: it has no force and never acts
+    double duration = 0;          ///< 0: the pulse has no force and never acts
     double elapsed_at_start = 0;  ///< elapsed time at the start of revolution 0; below 0: it begins later
     double elapsed = 0;           ///< elapsed time at the start of the present revolution
     bool acts = false;

@@ -49,8 +49,8 @@ struct ScaledPulse {
   std::optional<double> always_elapsed{};
 };
 
-/// The casing behind a contact. Only the contact and its own mount act on it, so that with an open contact it
-/// vibrates as an oscillator whose energy never grows.
+/// The casing of a contact. Only the contact and the casing's mount act on it, so that with an open contact
+/// it vibrates as an oscillator whose energy never grows.
 template <int N>
 struct ScaledCasing {
   std::size_t contact = 0;
@@ -58,7 +58,7 @@ struct ScaledCasing {
   Eigen::Vector2d sag;              ///< position under constant forces
   double rate = 0;                  ///< undamped angular frequency
 
-  /// Upper bound of all later displacements while the contact is open: the energy bounds the vibration.
+  /// Upper bound of all later displacements while the contact is open, from the energy of the vibration.
   template <class State>
   double reach(const State& state) const {
     const Eigen::Index n = state.size() / 2;

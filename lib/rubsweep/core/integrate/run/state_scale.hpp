@@ -45,10 +45,10 @@ struct StateScale {
 /// Scale of the sections of a scene: its length scale, and radians of its shaft's rotation.
 StateScale state_scale(const scene::Scene& scene);
 
-/// Start of the scene as a section of that scale.
+/// Start of the scene as a section in this scale.
 std::vector<double> scaled_initial_state(const scene::Scene& scene);
 
-/// Sets the start of the scene to `section`, 2n numbers in that scale.
+/// Sets the start of the scene to `section`, 2n numbers in the scale of state_scale().
 void set_initial_state(scene::Scene& scene, std::span<const double> section);
 
 /// The scene at the start of revolution `revolution`, with `section` as its initial state.

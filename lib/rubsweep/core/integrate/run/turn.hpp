@@ -31,8 +31,8 @@ struct Effort {
   long taylor_turns = 0;    ///< revolutions with Taylor pieces, where there is no closed form
   long taylor_pieces = 0;   ///< Taylor pieces, included in `steps`
   long creep_pieces = 0;    ///< Taylor pieces in which steep friction holds a slip
-  /// Work of the Taylor pieces in expansions of the motion: one for each piece, further ones for sweeps that
-  /// find a slip held by steep friction, and a third for each expansion of a tangent vector.
+  /// Work of the Taylor pieces, in expansions of the motion: one for each piece, one for each further sweep
+  /// that finds a slip held by steep friction, and a third of one for each expansion of a tangent vector.
   double taylor_work = 0;
   long adaptive_turns = 0;  ///< revolutions without a closed form, made by a stepper
 };

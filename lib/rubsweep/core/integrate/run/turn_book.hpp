@@ -42,7 +42,8 @@ class TurnBook {
     --limit_;
   }
 
-  /// Whether so many changes of mode made no progress that the solver must step over this instant.
+  /// Whether so many changes of mode have happened without progress in time that the solver must step over
+  /// this instant.
   bool stands_still() const { return standstill_ >= longest_standstill; }
   bool made_progress() const { return standstill_ == 0; }
   void note_progress(bool made) { standstill_ = made ? 0 : standstill_ + 1; }
@@ -67,7 +68,7 @@ class TurnBook {
   bool switches_listed_ = false;
 };
 
-/// Adds a stretch of contact that lasts this many turns.
+/// Adds a stretch of contact; `turns`: its duration in turns.
 inline void add_contact(double turns, TurnReport& report) {
   report.touched = true;
   report.contact_fraction += turns;

@@ -94,7 +94,7 @@ class AxisDirections {
   Twin by_force_;
 };
 
-/// Stand-in for directions, contact and variations of tangent vectors where nothing touches.
+/// Placeholder for directions, contact and variations of tangent vectors where nothing touches.
 struct NoContact {
   using Twin = numerics::Twin;
 

@@ -32,8 +32,8 @@ struct ContactLaw {
   double damper(contact::Mode mode) const { return contact::law_of(mode).damper * damping; }
 };
 
-/// From |steepness slip| = 20 on, a tanh is 1 to the last bit. A step that starts there takes it as constant
-/// and ends, at the latest, at 19, where 1 - tanh(19) is 6e-17.
+/// At |steepness slip| >= 20 a tanh is 1 to the last bit. A step that starts in this range treats the tanh as
+/// constant. It ends, at the latest, at 19, where 1 - tanh(19) is 6e-17.
 inline constexpr double saturated_at_start = 20, saturated_until = 19;
 
 }  // namespace rubsweep::integrate::taylor

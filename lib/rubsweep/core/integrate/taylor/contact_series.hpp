@@ -25,7 +25,7 @@ class ContactSeries {
   const numerics::PlaneSeries& distance() const { return distance_; }
   const numerics::PlaneSeries& velocity() const { return velocity_; }
 
-  /// Starts an expansion in `mode` with the present slip, which decides what part of the friction is
+  /// Starts an expansion in `mode` with the present slip, which decides which part of the friction is
   /// saturated. Dry friction instead depends on `way`, and is at its limit if `poised` (ContactStates).
   void begin(const ContactLaw& law, contact::Mode mode, double slip_m_per_s, contact::Slip way,
              bool poised = false);
@@ -45,10 +45,10 @@ class ContactSeries {
   /// Normal at the start of the expansion.
   double cosine() const { return law_->annular ? normal_[0][0] : 1; }
   double sine() const { return law_->annular ? normal_[0][1] : 0; }
-  /// Coefficient k of (tangent at the start) . d'' that keeps the slip, from lower coefficients and without
-  /// the holding friction's coefficient k.
+  /// Coefficient k of (tangent at the start) . d'' that keeps the slip constant, computed from lower
+  /// coefficients and without coefficient k of the holding friction.
   double keeping_term(int k) const;
-  /// Sets coefficient k of the holding friction, and the resulting one of d''.
+  /// Sets coefficient k of the holding friction, and coefficient k of d'' that results from it.
   void hold(int k, double force_n, numerics::Twin acceleration);
   /// Holding friction, each coefficient stored twice.
   const numerics::PlaneSeries& holding() const { return holding_; }
@@ -64,7 +64,7 @@ class ContactSeries {
   /// Whether friction varies along the expansion, as does viscous friction or an unsaturated tanh.
   bool friction_varies() const { return varies_; }
 
-  // Results of an expansion that is complete up to `order`:
+  // Results of an expansion that is complete up to `order`.
 
   /// Coefficient k <= order of the penetration. For an open annular contact it is that of (|d|^2 - C^2) / (2
   /// C), which crosses zero at the same instant; call `make_open_penetration` first.
@@ -88,7 +88,7 @@ class ContactSeries {
   const numerics::PlaneSeries& length_rate() const { return length_rate_; }
   double inverse_length() const { return inverse_length_[0]; }  ///< at the start of the expansion
   const numerics::Series& sliding() const { return sliding_; }
-  /// Varying friction: its coefficient, and the force by which it is multiplied (at a flat stop the first
+  /// Varying friction: its coefficient, and the force that it multiplies (at a flat stop the first
   /// component).
   const numerics::PlaneSeries& coefficient() const { return mu_; }
   const numerics::PlaneSeries& load() const { return load_; }
@@ -114,8 +114,9 @@ class ContactSeries {
   bool varies_ = false, falls_ = false, sliding_made_ = false, sticks_ = false;
   const Creep* creep_ = nullptr;
   double sliding_speed_ = 0;
-  double constant_mu_ = 0;      ///< friction coefficient of the constant terms
-  numerics::Twin turned_mu_{};  ///< (-mu, mu): times a swapped pair, mu times its quarter turn
+  double constant_mu_ = 0;  ///< friction coefficient of the constant terms
+  /// (-mu, mu): its product with a swapped pair is mu times a quarter turn of the pair
+  numerics::Twin turned_mu_{};
   double saturated_steepness_ = 0, slip_sign_ = 1;
   std::array<bool, 3> active_{};
   std::array<numerics::TanhSeries, 3> tanh_;

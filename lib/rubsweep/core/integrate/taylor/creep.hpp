@@ -11,18 +11,18 @@ class ContactSeries;
 
 inline constexpr int most_creep_sweeps = 24;
 
-/// Slip of a contact with friction so steep that the slip's own transient has died out: the contact creeps at
-/// the slip for which friction balances the rest of the motion. Its power series is found by fixed-point
-/// sweeps. A sweep takes the slip as given, a constraint like that of a sticking contact; from the friction
-/// that keeps it follows the slip for the next sweep. Each sweep reduces the error by the ratio of the
-/// motion's rate to the rate at which friction changes the slip.
+/// Slip of a contact with friction so steep that the slip's own transient has decayed: the contact creeps at
+/// the slip for which friction balances the other forces. The power series of the slip is found by
+/// fixed-point sweeps. A sweep takes the slip as given, like the constraint of a sticking contact, and
+/// computes the friction that maintains it. From this friction follows the slip for the next sweep. Each
+/// sweep reduces the error by the ratio of the motion's rate to the rate at which friction changes the slip.
 class Creep {
  public:
   /// Starts with a constant slip, its value at the start of the expansion.
   void begin(const ContactLaw& law, double slip_m_per_s);
 
-  /// Finds the friction that keeps `contact` at its present slip, and sets the slip to the value with that
-  /// friction, up to `order`. False where no slip nearby has that friction.
+  /// Finds the friction that keeps `contact` at its present slip, and sets the slip to the value at which the
+  /// law gives this friction, up to `order`. False where no nearby slip has this friction.
   bool sweep(const ContactSeries& contact, int order);
 
   double slip_m_per_s() const { return slip_[0]; }

@@ -23,8 +23,8 @@ double friction_ratio(const Expansion<N>& motion, const law::Dynamics<N, false>&
   return largest;
 }
 
-/// Chooses the pieces of a run that are expanded with creeping contacts: where friction is steep, the slip's
-/// own transient has died out, and a piece is worth its sweeps.
+/// Chooses the pieces of a run that are expanded with creeping contacts: those with steep friction, where the
+/// slip's own transient has decayed and a piece is long enough to justify the sweeps.
 template <int N>
 class CreepChoice {
  public:
@@ -44,7 +44,7 @@ class CreepChoice {
 
   /// Repeats the expansion, by `expand(state)`, with all contacts with steep friction creeping. False, with
   /// the expansion unchanged, where creep may not last. `longest_rad`: longest piece without regard to
-  /// friction; `usual_rad`: that without creep; `state` and `settled` as in `settle_creep`.
+  /// friction; `usual_rad`: longest piece without creep; `state` and `settled` as in `settle_creep`.
   template <class Expand>
   bool begin(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics, const Expand& expand,
              std::vector<double>& state, std::vector<double>& settled, double longest_rad, double usual_rad) {
@@ -65,7 +65,8 @@ class CreepChoice {
   }
 
  private:
-  /// Pieces to wait: the remainder of a slip's transient falls at least to a hundredth in each usual piece.
+  /// Number of pieces to wait. In each usual piece the remaining transient of a slip falls to a hundredth or
+  /// less.
   static constexpr int pieces_until_creep = 6;
   static constexpr double least_gain = 12;  ///< least length of a piece with creep, in usual pieces
 

@@ -23,8 +23,8 @@ inline double unchanged_rad(const Creep& creep, int order, double smallest) {
 }
 
 /// Expands a motion by `expand(state)`, with the creeping contacts set by `Expansion::set_creeping`, until
-/// sweeps change only the rounding. The slips of `state` lose the remainder of their own transient, if that
-/// moves them only by rounding. Returns the duration over which the result is accurate, at most
+/// sweeps change only the rounding. What remains of the transient in the slips of `state` is removed if this
+/// changes the slips only by rounding. Returns the duration over which the result is accurate, at most
 /// `longest_rad`. Returns zero, with `state` unchanged, where this is less than `worth_rad`. `settled` is
 /// scratch for a state.
 template <int N, class Expand>
@@ -56,7 +56,7 @@ double settle_creep(Expansion<N>& motion, const Expand& expand, std::vector<doub
     moved = 0;
     for (std::size_t k = state.size() / 2; k < state.size(); ++k)
       moved = std::max(moved, std::abs(settled[k] - state[k]));
-    // The remainder of the slip's own transient is known by now and too large.
+    // By now the remaining transient of the slip is known, and it is too large.
     if (moved > start_noise * speed && change < 0.1 * moved) return 0;
   }
   if (moved > start_noise * std::max(1.0, motion.series().speed()) || reach < worth_rad) return 0;

@@ -16,9 +16,9 @@ class CreepTangent {
     for (int k = 0; k <= numerics::most_taylor_order + 1; ++k) sliding_.set(k, k == 0 ? sliding : 0);
   }
 
-  /// Sets the variation of the slip to the one that the varied friction requires, up to `order` terms.
-  /// `holding(k)` and `load(k)` are the coefficients of the variations of that friction and of the spring
-  /// force S: friction = mu S, and the variation of mu is mu' times that of the sliding speed.
+  /// Sets the variation of the slip to the value that the varied friction requires, up to `order` terms.
+  /// `holding(k)` and `load(k)` are the coefficients of the variations of this friction and of the spring
+  /// force S. Friction is mu S, and the variation of mu is mu' times that of the sliding speed.
   template <class Holding, class Load>
   void sweep(const Creep& creep, int order, const Holding& holding, const Load& load) {
     for (int k = 0; k < order; ++k) {

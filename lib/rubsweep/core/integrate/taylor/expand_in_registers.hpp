@@ -47,8 +47,8 @@ void expand_in_registers(const DiagonalStructure<N>& structure, const Directions
 }
 
 /// Computes the coefficients of `Count` tangent vectors side by side, until they have converged over
-/// `duration_rad` or for `most` terms. Displacements are columns k Count + i of `w`, rates those of `rate`.
-/// The contact's variations must have begun; `speed` is the variation of its relative velocity.
+/// `duration_rad` or for `most` terms. Displacements are columns k Count + i of `w`, rates are these columns
+/// of `rate`. The contact's variations must have begun; `speed` is the variation of its relative velocity.
 template <int N, class Directions, int Count, class Contact, class Terms>
 void expand_in_registers(const DiagonalStructure<N>& structure, const Directions& directions, int most,
                          double duration_rad, Contact& contact, typename ContactTangents<Count>::Term speed,

@@ -18,13 +18,13 @@ using Coefficients = std::array<double, numerics::most_taylor_order + 1>;
 /// series that end at rounding, because a landing leaves a few units of rounding in states of order one.
 double noise_of(double accuracy) { return 1e-13 / rounding_of_series * accuracy; }
 
-/// Value that stands for just below zero: no guard with a rate comes as near.
+/// Value that represents "just below zero": no guard with a rate comes as near.
 constexpr double just_below_zero = -1e-30;
 
-/// First rise of an armed guard, which counts as below zero at the start of the piece. If it is at zero
-/// there, or beyond by rounding, and still rising, its root is at once: it was at the end of the piece
-/// before, which was not searched. If its rate is zero as well, it is set just below zero. Its first non-zero
-/// derivative then decides, as where a rotor starts at rest at a wall.
+/// First rise of an armed guard, which counts as below zero at the start of the piece. If the guard is at
+/// zero there (or slightly beyond by rounding) and still rising, its root is at the start: this is the end of
+/// the piece before, which was not searched. If its rate is zero as well, it is set just below zero. Its
+/// first non-zero derivative then decides, as where a rotor starts at rest at a wall.
 std::optional<double> first_rise_of_armed(std::span<double> c, double noise) {
   if (c[0] >= 0 && c.size() > 1) {
     if (c[1] > 0) return 0;
@@ -59,8 +59,8 @@ double fastest_distance(const ContactSeries& contact, int order, double duration
   return contact.law().annular ? std::sqrt(bounds[0] * bounds[0] + bounds[1] * bounds[1]) : bounds[1];
 }
 
-/// Zero of the slip, approached from its present side. The slip is measured in clearances per radian; it
-/// starts at zero if it is within rounding of the surface's own speed.
+/// Zero of the slip, approached from its present side. The slip is measured in clearances per radian. It
+/// counts as starting at zero if it is within rounding of the surface's own speed.
 std::optional<double> first_stop(ContactSeries& contact, int order, double accuracy, double duration_rad,
                                  const SlipStart& start) {
   const ContactLaw& law = contact.law();
@@ -128,7 +128,7 @@ double guards_converged_rad(ContactSeries& contact, int order, double accuracy, 
     contact.make_open_penetration(order);
   }
   const double damper = law.damping / law.stiffness;
-  // Far inside the wall, rounding is proportional to the penetration.
+  // Far inside the wall, the rounding error is proportional to the penetration.
   const double size = std::max(law.clearance, std::abs(contact.penetration_term(0)));
   for (int k = order - 2; k < order; ++k) {
     const double term = (std::abs(contact.penetration_term(k)) +
@@ -149,7 +149,7 @@ std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order
   contact.put_penetration(order, all.data());
   numerics::put_powers(duration_rad, order, power.data());
   const auto count = static_cast<std::size_t>(order);
-  // The position of a distant wall has its own rounding.
+  // The position of a distant wall has its own rounding error.
   const double noise = noise_of(accuracy) * std::max(1.0, law.clearance);
   for (std::size_t k = 0; k < count; ++k) {
     p[k] = power[k] * all[k];

@@ -51,8 +51,8 @@ std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, dou
 /// `slip`.
 double reserve_rate(const ContactSeries& contact, int order, double duration_rad, contact::Slip slip);
 
-/// Share of `duration_rad` up to which every tanh taken as constant by the expansion is still 1; 1 if all of
-/// it.
+/// Share of `duration_rad` up to which every tanh that the expansion takes as constant still equals 1; 1 if
+/// this holds over the whole duration.
 double saturated_share(ContactSeries& contact, int order, double duration_rad);
 
 /// Whether the slip of a touching contact is <= 0 at some time in the duration.

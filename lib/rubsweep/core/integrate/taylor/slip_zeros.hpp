@@ -21,8 +21,8 @@ class SlipZeros {
   /// Clears all: after a piece, or after entering all contacts anew, no slip starts from zero.
   void clear() { std::ranges::fill(terms_, 0); }
 
-  /// Handles contact `i` whose slip has reached zero: decides which contacts stick from now on. Those that
-  /// continue to slip start from zero. `scratch` takes a rate of the state.
+  /// Handles contact `i` whose slip has reached zero: decides which contacts stick from now on. The slips of
+  /// contacts that continue to slip start from zero. `scratch` takes a rate of the state.
   template <class Dynamics, class State>
   void stop(Dynamics& dynamics, std::size_t i, const State& state, State& scratch, double phase) {
     law::settle_slips(dynamics, state, scratch, phase, [i](std::size_t j) { return j == i; });
@@ -33,8 +33,8 @@ class SlipZeros {
   }
 
   /// Releases the sticking contact `i` in the direction of `slip`. Its slip and the rate of its slip start
-  /// from zero, so that two coefficients are zero, also for others that begin to slip with it. If its
-  /// friction jumps, the rates jump, too, and only one coefficient is zero.
+  /// from zero, so that two coefficients are zero; this also holds for other contacts that begin to slip with
+  /// it. If its friction jumps, the rates jump, too, and only one coefficient is zero.
   template <class Dynamics, class State>
   void let_go(Dynamics& dynamics, std::size_t i, contact::Slip slip, const State& state, State& scratch,
               double phase) {

@@ -14,16 +14,16 @@ namespace rubsweep::integrate::taylor {
 /// an unexcited mode as the motion would, within 8^25 / 25! = 2e-3.
 inline constexpr double longest_times_fastest = 8;
 
-/// Largest such product with tangent vectors, which excite every mode as strongly as themselves, whatever the
+/// Largest such product with tangent vectors. These excite every mode as strongly as themselves, whatever the
 /// motion does. The truncation error of e^x at order 23 is x^24 / 24!: x = 3.3 for 4e-12.
 inline double longest_times_fastest_of_tangents(double accuracy) {
   constexpr int next = TangentExpansion<2>::order + 1;
   return std::min(longest_times_fastest, std::pow(accuracy * std::tgamma(next + 1), 1.0 / next));
 }
 
-/// Fastest rate per radian of the structure (`structure_rate`) together with the contact springs. An
-/// underdamped oscillator has eigenvalues of the size of its undamped frequency, an overdamped one none above
-/// its damping. `modes` per contact.
+/// Fastest rate per radian of the structure (`structure_rate`) together with the contact springs. The
+/// eigenvalues of an underdamped oscillator have the size of its undamped frequency; those of an overdamped
+/// one are not above its damping. `modes` per contact.
 template <int N>
 double fastest_rate(double structure_rate, const Expansion<N>& motion,
                     const std::vector<contact::Mode>& modes) {

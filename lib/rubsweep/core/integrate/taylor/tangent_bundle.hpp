@@ -40,9 +40,9 @@ class TangentBundle {
     holding_.assign(count, TangentHolding(system.contacts.size(), holds ? order + 1 : 0));
   }
 
-  /// Moves columns `first` to `first` + Count - 1 over `duration_rad` of the expanded motion. Each is
-  /// expanded until its last two terms are at most `accuracy` times its largest ones, in displacements and in
-  /// rates.
+  /// Moves columns `first` to `first` + Count - 1 over `duration_rad` of the expanded motion. Each vector is
+  /// expanded until its last two terms are at most `accuracy` times its largest terms, in displacements and
+  /// in rates.
   void pass(Expansion<N>& motion, double duration_rad, double accuracy, Eigen::MatrixXd& tangents,
             Eigen::Index first) {
     const int most = begin(motion, tangents, first);
@@ -50,7 +50,7 @@ class TangentBundle {
     for (Eigen::Index i = 0; i < Count; ++i) sum_up(i, duration_rad, tangents.col(first + i));
   }
 
-  /// Moves one vector where contacts creep. False where its slips still have a transient of their own.
+  /// Moves one vector where contacts creep. False where the vector's slips still contain a transient.
   bool pass_creeping(Expansion<N>& motion, double duration_rad, double accuracy, Eigen::MatrixXd& tangents,
                      Eigen::Index column) requires(Count == 1) {
     if (!settle_creep(motion, begin(motion, tangents, column), duration_rad, accuracy)) return false;
@@ -65,7 +65,7 @@ class TangentBundle {
   using Vector = Eigen::Matrix<double, N, 1>;
   using Terms = Eigen::Matrix<double, N, Eigen::Dynamic>;
 
-  /// Sets the start of the vectors; returns the highest order.
+  /// Sets the vectors at the start of the expansion; returns the highest order.
   int begin(Expansion<N>& motion, const Eigen::MatrixXd& tangents, Eigen::Index first) {
     const int most = std::min(order, motion.order() - 1);
     const Eigen::Index n = system_.coordinates();
@@ -129,7 +129,7 @@ class TangentBundle {
                          speed = at_contact(system_.contacts[i], rate(0, 0));
     if (!contact.law().annular) return speed[1];
     const numerics::Twin d = contact.distance()[0], v = contact.velocity()[0];
-    // Variation of |d| times the sliding speed: that product is d1 d2' - d2 d1'.
+    // The variation of |d| times the sliding speed follows from this product, d1 d2' - d2 d1'.
     const double product = moved[0] * v[1] - moved[1] * v[0] + d[0] * speed[1] - d[1] * speed[0];
     return (product - contacts_[i].length_term(0, 0) * contact.creep()->sliding()[0]) *
            contact.inverse_length();

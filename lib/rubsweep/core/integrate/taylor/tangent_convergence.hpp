@@ -9,7 +9,7 @@
 namespace rubsweep::integrate::taylor {
 
 /// Order up to which each of `Count` tangent vectors is summed: until two successive terms are at most
-/// `accuracy` times its largest ones, in displacements and in rates.
+/// `accuracy` times its largest terms, in displacements and in rates.
 template <int Count>
 class TangentConvergence {
  public:
@@ -22,7 +22,8 @@ class TangentConvergence {
 
   /// Adds the terms of order `k`; call it in order of k.
   void add(int k, const Sizes& displacement, const Sizes& rate) {
-    // One by one: loading numbers in pairs right after they were stored one by one would stall.
+    // Read one by one: to load numbers in pairs directly after they were stored one by one would stall the
+    // processor.
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
       displacement_(column) = std::max(displacement_(column), displacement(column));

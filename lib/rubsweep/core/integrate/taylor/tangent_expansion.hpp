@@ -21,9 +21,9 @@ class TangentExpansion {
   void begin(const Eigen::MatrixXd& tangents) { tangents_ = tangents; }
   Eigen::Index count() const { return tangents_.cols(); }
 
-  /// Moves the vectors over `duration_rad` of the expanded motion. Each is expanded until its last two terms
-  /// are at most `accuracy` times its largest ones, in displacements and in rates. False, with nothing moved,
-  /// where contacts creep and the slips of a vector still have a transient of their own.
+  /// Moves the vectors over `duration_rad` of the expanded motion. Each vector is expanded until its last two
+  /// terms are at most `accuracy` times its largest terms, in displacements and in rates. False, with nothing
+  /// moved, where contacts creep and the slips of a vector still contain a transient.
   bool pass(Expansion<N>& motion, double duration_rad, double accuracy);
 
   /// Number of sweeps for creep since the last call.

@@ -19,7 +19,7 @@ namespace rubsweep::integrate::taylor {
 /// series.
 class TangentHolding {
  public:
-  /// For the given numbers of contacts and terms; no terms are needed where nothing can be held.
+  /// Makes room for these numbers of contacts and terms; no terms are needed where nothing can be held.
   TangentHolding(std::size_t contacts, std::size_t terms) : terms_(terms), creeps_(contacts) {}
 
   /// Variation of the sliding speed of a contact that creeps.
@@ -76,7 +76,8 @@ class TangentHolding {
     return numerics::quarter_turned(sum);
   }
 
-  /// Coefficient k of (tangent at the start) . (change of d'') that keeps the slip or follows its change.
+  /// Coefficient k of (tangent at the start) . (change of d'') for which the slip stays constant, or follows
+  /// its change in a creeping contact.
   template <int Count>
   double keeping_term(const ContactSeries& contact, const ContactTangents<Count>& changes, std::size_t which,
                       const CreepTangent& creep, Eigen::Index stuck, int k) const {

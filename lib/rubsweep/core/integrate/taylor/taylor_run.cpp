@@ -17,7 +17,7 @@ namespace {
 using contact::Mode;
 
 constexpr double same_instant = 1e-13;  ///< radians: shorter landings make no progress
-constexpr int most_expansions = 4;      ///< for each piece that a turn may have
+constexpr int most_expansions = 4;      ///< number of expansions for each piece that a turn may have
 
 }  // namespace
 
@@ -132,7 +132,7 @@ void TaylorRun<N>::enter_by_state() {
   law::enter_slips_by_state(dynamics_, state_, rate_, phase);
 }
 
-/// Projects tangent vectors onto the sticking constraint: friction undoes any slip at once.
+/// Projects tangent vectors onto the sticking constraint, because friction stops any slip at once.
 template <int N>
 void TaylorRun<N>::project_tangents() {
   if (tangents_.count() > 0 && sticks()) dynamics_.keep_sticking(state_, tangents_.vectors());
@@ -207,7 +207,7 @@ bool TaylorRun<N>::try_creep(double fastest, double ratio) {
 }
 
 /// Moves on by `duration` within the modes of the expansion, and takes the requested peaks and samples.
-/// False, with nothing done, where contacts creep but their tangent vectors do not yet.
+/// False, with nothing done, where contacts creep but their tangent vectors still contain a transient.
 template <int N>
 bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration, double end_phase) {
   const bool moved = tangents_.pass(motion_, duration, tangent_accuracy_);
@@ -229,7 +229,7 @@ void TaylorRun<N>::note_switch(run::TurnReport& report, std::size_t i, Mode from
 }
 
 /// Makes the switch of `event` at the end of the piece, which took `duration`. The force is continuous at the
-/// switch of a mode, so that one rate holds on both sides of it.
+/// switch of a mode, so that the rate is the same on both sides of it.
 template <int N>
 void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event, double duration) {
   clock_.change_pulses();
@@ -257,7 +257,7 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
   }
 }
 
-/// Handles contact `i` whose slip reaches zero; `rate_` is the rate before this.
+/// Handles contact `i` whose slip reaches zero; `rate_` is the rate before this event.
 template <int N>
 void TaylorRun<N>::stop_slip(std::size_t i) {
   zeros_.stop(dynamics_, i, state_, probe_, clock_.time());
@@ -267,8 +267,8 @@ void TaylorRun<N>::stop_slip(std::size_t i) {
 }
 
 /// Releases contact `i`, which friction no longer holds at the end of a piece of `duration`; `rate_` is the
-/// rate before this. Tangent vectors jump where the rate does: if friction drops as soon as the contact
-/// slips.
+/// rate before the release. Tangent vectors jump if the rate does, that is, if friction drops as soon as the
+/// contact slips.
 template <int N>
 void TaylorRun<N>::let_go(std::size_t i, contact::Slip slip, double duration) {
   if (!dynamics_.jumps(i)) return zeros_.let_go(dynamics_, i, slip, state_, probe_, clock_.time());
@@ -283,7 +283,7 @@ void TaylorRun<N>::let_go(std::size_t i, contact::Slip slip, double duration) {
   std::swap(rate_, probe_);
 }
 
-/// Settles poised contacts after the opening of a contact that may have held them.
+/// Settles poised contacts again after another contact, which may have held them, has opened.
 template <int N>
 void TaylorRun<N>::settle_poised() {
   law::settle_slips(dynamics_, state_, probe_, clock_.time(), [](std::size_t) { return false; });

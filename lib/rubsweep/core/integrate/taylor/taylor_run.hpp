@@ -19,13 +19,13 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// A run in pieces that are power series of the phase. Within one joint contact mode every law is analytic; a
-/// step of order 24 is so long that its last terms are of the size of rounding. Guards are polynomials over a
-/// step; the signs of Bernstein coefficients locate their first rise through zero, so that none is missed. If
-/// friction is so steep that the slip follows the rest of the motion, pieces are as long as without friction
-/// once the slip's own transient has died out (`Creep`). With dry friction, pieces also end where a slip
-/// reaches zero or a contact stops sticking. Supports flat and annular stops, any friction, any number of
-/// coordinates.
+/// A run in pieces that are power series of the phase. Within one joint contact mode every law is analytic. A
+/// step of order 24 has a length at which its last terms are of the size of rounding. Guards are polynomials
+/// over a step; the signs of Bernstein coefficients locate their first rise through zero, so that none is
+/// missed. If friction is so steep that the slip follows the other motion, pieces become as long as without
+/// friction once the slip's own transient has decayed (`Creep`). With dry friction, pieces also end where a
+/// slip reaches zero or a contact stops sticking. Supports flat and annular stops, any friction, any number
+/// of coordinates.
 template <int N>
 class TaylorRun {
  public:
@@ -37,7 +37,8 @@ class TaylorRun {
   /// Integrates phases 0 to `end_phase` of the next revolution; an end before 2 pi ends the run.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = numerics::full_turn);
-  /// Begins a revolution of a scene without impulses; `go_on` makes its pieces, `finish` completes it.
+  /// Begins a revolution of a scene without impulses. `go_on` then makes its pieces, and `finish` completes
+  /// it.
   void begin(const run::TurnRequest& request, run::TurnReport& report,
              double end_phase = numerics::full_turn);
 
@@ -72,7 +73,7 @@ class TaylorRun {
   /// Present tangent vectors, as many as were given.
   const Eigen::MatrixXd& tangents() const { return tangents_.vectors(); }
 
-  /// Present scaled state: start of the next revolution, or within a joined turn.
+  /// Present scaled state: the start of the next revolution, or a state within a joined turn.
   const std::vector<double>& section() const { return state_; }
   long revolution() const { return book_.revolution; }
   run::Effort effort() const {

@@ -11,10 +11,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Smallest ratio, in powers of two, between a row and its column for which the matrix is balanced first. The
-/// generator of u'' = -k u has the ratio k; its eigenvalues lose a factor sqrt(k) in relative accuracy.
+/// generator of u'' = -k u has the ratio k; without balancing its eigenvalues lose a factor sqrt(k) in
+/// relative accuracy.
 constexpr int badly_scaled = 40;
 
-/// log2 of the off-diagonal part of row `i` over that of column `i`; 0 where one of them is zero.
+/// log2 of the ratio between the off-diagonal parts of row `i` and column `i`; 0 where one of them is zero.
 int imbalance(const MatrixXd& matrix, Eigen::Index i) {
   const double diagonal = std::abs(matrix(i, i));
   const double row = matrix.row(i).cwiseAbs().sum() - diagonal,

@@ -78,10 +78,11 @@ class SymmetricFactors {
 };
 
 /// The x of least norm among all minima of |a x - b|, by completeOrthogonalDecomposition, for matrices whose
-/// size is known at run time. Compiled here once.
+/// size is known at run time. Compiled once, here.
 Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
-/// The complex problem solved by real and imaginary parts, which have the same residual and norm.
+/// The complex problem, solved as a real one for real and imaginary parts, which has the same residual and
+/// norm.
 Eigen::VectorXcd least_norm_solution(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 
 /// First `count` columns of the orthogonal factor of householderQr, for a matrix whose size is known at run

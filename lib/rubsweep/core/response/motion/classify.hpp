@@ -43,10 +43,11 @@ struct WindowVerdict {
 
 /// Classifies one window. Without any contact: `non_contact`. Otherwise the section gives the period n, and
 /// the spectrum over the last window_turns(turns, n) turns must confirm it: off the multiples of 1/n, no
-/// significant line and less than off_order_energy_limit of the energy. (Energy below that of one line at the
-/// limit of significance, 1e-6 clearance, is rounding and counts as none.) Everything else is `unsettled`,
-/// with a spectrum over all turns, because chaos and quasi-periodic motion need more evidence than one
-/// window. SolverError when sizes do not match, with fewer than 4 samples per turn, or without clearance.
+/// significant line and less than off_order_energy_limit of the energy. (An energy below that of one line at
+/// the limit of significance, 1e-6 clearance, is rounding and counts as none.) Every other motion is
+/// `unsettled`, with a spectrum over all turns, because chaos and quasi-periodic motion need more evidence
+/// than one window. SolverError when sizes do not match, with fewer than 4 samples per turn, or without
+/// clearance.
 WindowVerdict classify_window(const Window& window, const ResponseOptions& options,
                               spectrum::SpectrumWorkspace& workspace);
 
@@ -57,9 +58,8 @@ MotionClass class_of_period(int order, const Measures& measures);
 /// Measures of a window; the spectrum is over all its turns.
 Measures measure_window(const Window& window, spectrum::SpectrumWorkspace& workspace);
 
-/// Verdict of two successive windows. They must agree in class and order, otherwise the motion is
-/// `unsettled`. The measures are those of the last window. Status is `spectrum_disagrees` when either
-/// spectrum disagreed.
+/// Verdict of two successive windows. If they do not agree in class and order, the motion is `unsettled`. The
+/// measures are those of the last window. Status is `spectrum_disagrees` when either spectrum disagreed.
 Motion settle_verdict(const WindowVerdict& previous, const WindowVerdict& last);
 
 }  // namespace rubsweep::response::motion

@@ -37,7 +37,7 @@ enum class MotionStatus {
   order_above_max,     ///< unsettled: the section returns, or will return, after more than max_order turns
   transient_chaos,     ///< chaotic, but the motion or a companion from a nearby state left the chaos while it
                        ///< was followed
-  step_limit,          ///< unsettled: deciding would have needed more work than allowed
+  step_limit,          ///< unsettled: a decision would have needed more work than allowed
 };
 
 constexpr std::string_view to_string(MotionStatus status) { return enumerator_word(status); }
@@ -49,9 +49,9 @@ struct Measures {
   ContactFacts contact;
   double amplitude_1x_forward_m = 0;
   double amplitude_1x_backward_m = 0;
-  std::optional<spectrum::SpectralLine> dominant;  ///< largest line except 0X, at its exact order for a
-                                                   ///< closed comb; empty, as orbit and whirl, when the rotor
-                                                   ///< rests
+  /// largest line except 0X, at its exact order for a closed comb; like orbit and whirl, empty when the rotor
+  /// rests
+  std::optional<spectrum::SpectralLine> dominant;
   std::optional<spectrum::OrbitKind> orbit;
   std::optional<spectrum::WhirlKind> whirl;
   std::optional<double> comb_spacing;  ///< spacing of lines at orders 1 + k comb_spacing over both windows: a

@@ -30,7 +30,8 @@ struct MotionClassRow {
   std::string_view word;         ///< word in map.csv
   std::string_view description;  ///< text for --help
   bool rubs = false;             ///< the rotor keeps touching a stop
-  bool repeats = false;  ///< true: measures do not depend on when they are taken: maps may be compared
+  /// true: measures do not depend on when they are taken, so that maps may be compared
+  bool repeats = false;
 };
 
 /// Table of all classes. It is a switch so that a class without a row does not compile.

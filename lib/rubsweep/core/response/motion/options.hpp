@@ -11,7 +11,7 @@ struct ResponseOptions {
   int samples_per_revolution = 128;  ///< even, >= 4 max_order to resolve all lines that the classes need
   int window_revolutions = 64;       ///< a window for order n has n floor(window_revolutions / n) turns
   bool floquet_proof = true;         ///< a run ends as soon as a stable periodic orbit is proven
-  /// False: a motion without a period at the end of a run is unsettled, which takes less time. This does not
+  /// False: a motion without a period at the end of a run is unsettled, which saves time. This does not
   /// affect `TorusWatch`, which depends on `floquet_proof`.
   bool exponent = true;
   int max_order = 12;  ///< largest n of a 1/n subharmonic that is sought; at most half a window

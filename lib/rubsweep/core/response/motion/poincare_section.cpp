@@ -22,12 +22,13 @@ std::optional<double> return_error(std::span<const double> rows, std::size_t lag
   return largest;
 }
 
-/// Limit of the return error after a number of turns, as time goes on.
+/// Limit to which the return error after a number of turns tends: apart (above zero), nothing (zero) or
+/// undecided.
 enum class ReturnLimit { apart, nothing, undecided };
 
 /// Root mean square of the return error at the distance `lag` (in numbers) in three successive parts at the
-/// end of the rows. Each part has the same count of whole periods of `period` numbers, so that variations
-/// within a period do not affect the comparison. Zeros where none fits.
+/// end of the rows. Each part has the same number of whole periods of `period` numbers, so that variations
+/// within a period do not affect the comparison. Zeros where not even one period fits.
 std::array<double, 3> returns_by_thirds(std::span<const double> rows, std::size_t lag, std::size_t period) {
   std::array<double, 3> means{};
   const std::size_t third = (rows.size() - lag) / period / 3 * period;
@@ -43,7 +44,7 @@ std::array<double, 3> returns_by_thirds(std::span<const double> rows, std::size_
 
 /// Limit of the returns if the decaying part shrinks by one factor per turn (Aitken's extrapolation).
 ReturnLimit return_limit(std::span<const double> rows, std::size_t lag, std::size_t period) {
-  constexpr double shrinks = 0.999;  ///< largest ratio of the last to the first part of a decay
+  constexpr double shrinks = 0.999;  ///< largest ratio of the last mean to the first mean that is a decay
   constexpr double enough = 0.95;    ///< largest such ratio if the limit may be zero
   constexpr double of_last = 0.5;    ///< a limit above this share of the last part is non-zero
   constexpr double nothing = 0.05;   ///< a limit below this share of the last part counts as zero

@@ -26,15 +26,15 @@ struct SectionPeriod {
 /// Returns the smallest n <= `max_order` for which |row(k + n) - row(k)| <= section_tolerance in the maximum
 /// norm, for all k with both rows in the last window_turns(turns, n) turns. Orders whose window holds fewer
 /// than two periods are skipped. Empty when no n returns or a number is not finite. Also empty when a smaller
-/// order returns over the rows that decided for n: the window then began in a transient that the shorter
-/// window of n just misses, and n is not the period of the motion that follows. SolverError when `rows` has
-/// another shape.
+/// order returns over the rows that decided for n. The longer window of the smaller order then began in a
+/// transient that the window of n just misses, and n is not the period of the motion that follows.
+/// SolverError when `rows` has another shape.
 ///
-/// A slow approach to an orbit of k turns can look like a period of 2 k: with a multiplier m near -1,
+/// A slow approach to an orbit of k turns can look like a period of 2 k. With a multiplier m near -1,
 /// sections 2 k turns apart differ by 1 - m^2 of the distance from the orbit, sections k turns apart by 1 -
-/// m, a hundred times more. Therefore each divisor of n whose return shrinks over the window is extrapolated
-/// (`return_limit`). If the limit is a distance of its own, n is the period. If it is zero, the divisor is
-/// the period, with the residual at the end. Otherwise no window decides, and the result is empty.
+/// m, a hundred times more. Therefore each divisor of n whose return error shrinks over the window is
+/// extrapolated (`return_limit`). If the limit is a distance above zero, n is the period. If it is zero, the
+/// divisor is the period, with the residual at the end. Otherwise no window decides, and the result is empty.
 std::optional<SectionPeriod> period_of_section(std::span<const double> rows, int states, int max_order);
 
 /// Sections of the last turns of a run that settles on a known order, to detect when it has settled.

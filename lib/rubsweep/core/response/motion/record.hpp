@@ -25,7 +25,7 @@ class Record {
  public:
   Record(const scene::Scene& scene, const ResponseOptions& options);
 
-  /// Starts a new record; `section` is that at the start of the first turn to be recorded.
+  /// Starts a new record; `section` is the section at the start of the first turn to be recorded.
   void begin(std::span<const double> section);
 
   /// Adds a turn with `samples_per_revolution` samples and peaks; two windows of turns fill the record.
@@ -51,10 +51,12 @@ class Record {
 struct Settling {
   long most_turns = 0;
   std::optional<int> order{};  ///< settled earlier if the section returns after so many turns
-  long fewest_turns = 0;       ///< turns before which such a return does not count
-  /// The run is abandoned after more successive turns without contact: its motion has ended.
+  long fewest_turns = 0;       ///< smallest number of turns before such a return counts
+  /// The run is abandoned after more than this number of successive turns without contact, because its motion
+  /// has ended.
   std::optional<int> longest_flight{};
-  double most_work = std::numeric_limits<double>::infinity();  ///< limit of the run's work, with recording
+  /// limit of the run's work, including the recording
+  double most_work = std::numeric_limits<double>::infinity();
 };
 
 /// Lets a run settle from `turn`, whose section is the current state. Returns the number of turns passed;

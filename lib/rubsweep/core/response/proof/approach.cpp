@@ -26,8 +26,8 @@ std::optional<MatrixXd> sum_of_powers(MatrixXd a, MatrixXd q) {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Largest projection onto the contacts, relative to the eigenvector's length, that counts as zero. An error
-/// above rounding would only make the ball smaller, because its tubes include everything.
+/// Largest projection onto the contacts, relative to the eigenvector's length, that counts as zero. If it is
+/// more than rounding, the ball only becomes smaller, because its tubes include everything.
 constexpr double unseen = 1e-8;
 constexpr double slow_from = 0.5;  ///< least share of a slow disturbance left after a turn
 
@@ -77,8 +77,8 @@ auto off(std::span<const double> section, const StableOrbit& orbit, std::size_t 
          orbit.sections[turn];
 }
 
-/// Follows a transient until `near(turn of the orbit, offset, size)`, where size = `size_of(offset, turn of
-/// the orbit)`, for at most `most_turns(first size, size)` turns.
+/// Follows a transient until `near(turn of the orbit, offset, size)` is true, where size = `size_of(offset,
+/// turn of the orbit)`, for at most `most_turns(first size, size)` turns.
 template <class SizeOf, class Near, class MostTurns>
 bool follow(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
             const SizeOf& size_of, const Near& near, const MostTurns& most_turns) {

@@ -29,9 +29,9 @@ struct AdaptedNorms {
 /// not below 1, or so near to it that rounding decides.
 std::optional<AdaptedNorms> adapted_norms(const std::vector<Eigen::MatrixXd>& transitions);
 
-/// Norms on the sections of an orbit as AdaptedNorms, but separate for two parts of a disturbance. The *slow*
-/// part moves no contact: it is a free vibration along flat walls, damped only by the structure. The *fast*
-/// part is all the rest.
+/// Norms on the sections of an orbit like AdaptedNorms, but separate for two parts of a disturbance. The
+/// *slow* part moves no contact: it is a free vibration along flat walls, damped only by the structure. The
+/// *fast* part is everything else.
 struct SplitNorms {
   /// Norm for each turn's section: the first `fast` rows give the fast part, the others the slow part.
   std::vector<Eigen::MatrixXd> norm;
@@ -47,8 +47,8 @@ struct SplitNorms {
 Eigen::MatrixXd seen_by_contacts(const scene::Scene& scene);
 
 /// Norms for the turns `transitions` of an orbit, see adapted_norms. `seen` is seen_by_contacts. A multiplier
-/// belongs to the slow part where `seen` maps its eigenvectors to zero, up to rounding, and where it loses
-/// less than half in a turn. The slow part is invariant under the turns and has the adapted norm of their
+/// belongs to the slow part if `seen` maps its eigenvectors to zero, up to rounding, and if it loses less
+/// than half in a turn. The slow part is invariant under the turns and has the adapted norm of their
 /// restriction to it; the fast part has that of the turns modulo the slow part. Empty where one of the parts
 /// is missing or has no norm.
 std::optional<SplitNorms> split_norms(const std::vector<Eigen::MatrixXd>& transitions,
@@ -58,15 +58,15 @@ std::optional<SplitNorms> split_norms(const std::vector<Eigen::MatrixXd>& transi
 integrate::exact::tube::Parts parts_of(const SplitNorms& norms, std::size_t turn,
                                        const Eigen::VectorXd& offset);
 
-/// Test for linear convergence of a transient to its orbit. It counts successive returns that the derivative
-/// of the return map predicts to within a tenth of what a return gains. The error is of second order in the
-/// distance and shrinks on the way: once several returns in a row pass and half of the distance is gone, the
-/// transient converges to the orbit.
-/// Near a fold or torus bifurcation the orbit attracts very weakly, and the error may stay larger for long:
-/// it speeds up the approach, or turns it by an angle that depends on the distance. The predicted point is
-/// then far off, yet equally near to the orbit. There, as many returns in a row must gain at least nine
-/// tenths of the promised rate as are needed to halve the distance. A transient beyond the unstable orbit or
-/// torus of that bifurcation gains nothing.
+/// Test for linear convergence of a transient to its orbit. The test counts successive returns that the
+/// derivative of the return map predicts well: with an error of at most a tenth of what a return gains. This
+/// error is of second order in the distance and shrinks on the way. Once several returns in a row pass and
+/// half of the distance is gone, the transient converges to the orbit. Near a fold or torus bifurcation the
+/// orbit attracts very weakly, and the error may stay larger for long: it speeds up the approach, or turns it
+/// by an angle that depends on the distance. The predicted point is then far off, although it is equally near
+/// to the orbit. In this case each of several returns in a row must gain at least nine tenths of the promised
+/// rate, as many as are needed to halve the distance. A transient beyond the unstable orbit or torus of the
+/// bifurcation gains nothing.
 class LinearConvergenceTest {
  public:
   /// `in_a_row`: number of successive returns (or of their turns) that must be predicted.
@@ -96,16 +96,16 @@ class LinearConvergenceTest {
   double halving_ = 0;
 };
 
-/// Largest number of turns (or returns) for following a transient towards an orbit: three times what the norm
-/// promises near the orbit, plus some at the start, where the transient is still far.
+/// Largest number of turns (or returns) for which a transient towards an orbit is followed: three times what
+/// the norm promises near the orbit, plus some for the start, where the transient is still far away.
 struct Patience {
   double start = 0;
   double most = 0;
 
   /// Limit where the norm promises the required nearness in `promised` turns.
   double turns(double promised) const { return std::min(most, start + times_promised * promised); }
-  /// Limit for coming from the distance `first` to `now` in a norm that every turn contracts at least by
-  /// `contraction`. A transient that takes longer is on its way to somewhere else.
+  /// Limit for an approach from the distance `first` to `now` in a norm that every turn contracts at least by
+  /// `contraction`. A transient that takes longer approaches something else.
   double turns(double contraction, double first, double now) const {
     return turns(std::log(std::max(1.0, first / now)) / -std::log(contraction));
   }
@@ -128,7 +128,7 @@ struct Nearness {
 bool comes_near(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
                 const AdaptedNorms& norms, const Nearness& wanted, const Patience& patience);
 
-/// Follows a transient as comes_near until both parts of `norms` are within `radii`, with the distance in the
+/// Follows a transient like comes_near until both parts of `norms` are within `radii`; distances are in the
 /// norm whose unit ball has these radii. Also false after `most_turns`.
 bool comes_inside(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
                   const SplitNorms& norms, const integrate::exact::tube::Parts& radii, double most_turns);

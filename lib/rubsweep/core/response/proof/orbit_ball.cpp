@@ -17,9 +17,9 @@ using integrate::exact::tube::Parts;
 constexpr double largest_radius = 0.1;
 constexpr int most_halvings = 26;  ///< halvings of 0.1, down to 1.5e-9
 constexpr int unknown_halvings = most_halvings + 1;
-/// Shares of the linear map's contraction margin: for a turn's nonlinear deviation, and (relative to the
-/// radius) for the distance between given sections and orbit. The remaining 5 % cover the effect of that
-/// distance.
+/// Shares of the contraction margin of the linear map. The first is for a turn's nonlinear deviation; the
+/// second, relative to the radius, for the distance between the given sections and the orbit. The remaining 5
+/// % cover the effect of that distance.
 constexpr double deviation_share = 0.9, defect_share = 1e-3;
 
 VectorXd vector_of(const std::vector<double>& x) {
@@ -34,9 +34,9 @@ class OrbitTubes {
       : tubes_(std::move(tubes)), defect_(defect) {}
 
   /// Largest of the radii 0.1 `shape`, 0.05 `shape`, ... at which the ball contracts. A tube that holds for
-  /// some radii also holds for smaller ones, but the orbit's own defect needs a large enough ball. `known`:
-  /// number of halvings of 0.1 that are known to suffice, updated on return; none is known if it exceeds
-  /// `most_halvings`.
+  /// some radii also holds for smaller ones, but the orbit's own defect needs a ball that is large enough.
+  /// `known`: number of halvings of 0.1 that are known to suffice, updated on return; if it exceeds
+  /// `most_halvings`, none is known.
   std::optional<Parts> largest(const Parts& shape, int& known) const {
     const auto halved = [&](int times) {
       const double size = std::ldexp(largest_radius, -times);
@@ -62,7 +62,7 @@ class OrbitTubes {
     return closes ? std::optional(radii) : std::nullopt;
   }
 
-  /// Radii up to twice those of `largest` at which the ball contracts as well: a motion is inside sooner.
+  /// Radii up to twice those of `largest` at which the ball also contracts; a motion enters them sooner.
   Parts between_halvings(const Parts& radii) const {
     double times = 1, too_many = 2;
     for (int i = 0; i < 3; ++i) {
@@ -73,7 +73,7 @@ class OrbitTubes {
   }
 
  private:
-  /// Decrease of each part below its radius by the linear map, in the norms of the tubes.
+  /// Amount by which the linear map brings each part below its radius, in the norms of the tubes.
   Parts room_in(const Parts& radii) const {
     Parts room = radii;
     for (const integrate::exact::tube::TurnTube& tube : tubes_) {
@@ -131,7 +131,7 @@ std::optional<Parts> split_ball_radii(const scene::Scene& scene, integrate::exac
   if (!turns) return std::nullopt;
   const OrbitTubes tubes(std::move(*turns), parts_of(norms, 0, vector_of(end) - vector_of(section)));
   std::optional<Parts> best;
-  // The slow radius falls from one ratio to the next, so that enough halvings remain enough.
+  // The slow radius falls from one ratio to the next, so that the same number of halvings remains sufficient.
   int halvings = unknown_halvings;
   for (const double ratio : {1e8, 1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1.0}) {
     const auto radii = tubes.largest({1, ratio}, halvings);

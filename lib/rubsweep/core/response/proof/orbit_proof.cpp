@@ -44,7 +44,7 @@ constexpr double tolerance_of_a_proof = 1e-11;
 constexpr double rough_accuracy = 1e-6;
 
 /// Share of its distance down to which a transient is followed where no ball about the orbit is known, unless
-/// its convergence is predicted earlier.
+/// the test of linear convergence is passed earlier.
 constexpr double followed_down = 1e-4;
 
 /// Limits for following a transient: 64 periods plus what its norm promises, up to a maximum. Turns without
@@ -158,7 +158,7 @@ std::optional<motion::Measures> OrbitProof::measure(const std::vector<double>& s
 }
 
 scene::Scene with_equal_stops_as_one(scene::Scene scene) {
-  // Members of Twist are indexed by contact, so that none may be removed.
+  // Twist has members that are indexed by contact, so no contact may be removed.
   if (scene.twist) return scene;
   std::vector<scene::Contact> distinct;
   for (const scene::Contact& contact : scene.contacts) {

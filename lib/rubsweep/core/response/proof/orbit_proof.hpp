@@ -47,14 +47,15 @@ class OrbitProof {
   integrate::run::WorkBudget& budget_;
   PeriodSearch search_;
   std::optional<SceneMap> map_, run_map_;
-  bool remembers_;  ///< integrate::run::remembers_impacts: a section that touches starts no proof
+  /// integrate::run::remembers_impacts: a proof then cannot start from a section in contact
+  bool remembers_;
 };
 
 /// The scene with equal stops merged: contacts of one point of the rotor with the same wall at the same
 /// clearance, on rigid casings, with the same ratio of damping to stiffness and the same friction. Their
-/// guards are one function of the state, so that they change mode together, and the sum of their forces is
-/// that of one stop with the sum of stiffnesses and dampings. Motions differ only by rounding. Stops with a
-/// casing each are two bodies and are not merged.
+/// guards are the same function of the state, so that they change mode together, and the sum of their forces
+/// is that of a single stop with the sum of stiffnesses and dampings. Motions differ only by rounding. Stops
+/// with a casing each are two bodies and are not merged.
 scene::Scene with_equal_stops_as_one(scene::Scene scene);
 
 }  // namespace rubsweep::response::proof

@@ -13,8 +13,9 @@ namespace {
 
 constexpr double close_enough =
     1e-2;  ///< return error, in (clearance, clearance omega), below which a proof is tried
-constexpr double much_closer = 0.1;  ///< relative to any fewer turns, and to the last refusal
-constexpr double much_later = 1.3;   ///< ratio of the run's turns to those at the last refusal
+/// relative to returns after fewer turns, and to the return at the last refusal
+constexpr double much_closer = 0.1;
+constexpr double much_later = 1.3;  ///< ratio of the run's turns to those at the last refusal
 
 /// Largest difference of `count` numbers; stops at the first above `worst` and returns it.
 double largest_difference(const double* a, const double* b, std::size_t count, double worst) {
@@ -31,11 +32,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr numerics::NewtonLimits newton_limits{.iterations = 8, .free_iterations = 1, .growth = 0.5};
-constexpr double closed = 1e-11;        ///< return error of a found orbit, in (clearance, clearance omega)
-constexpr double nearly_closed = 1e-5;  ///< distance below which rough derivatives would cost a step more
+constexpr double closed = 1e-11;  ///< return error of a found orbit, in (clearance, clearance omega)
+/// distance below which rough derivatives would cost an additional step
+constexpr double nearly_closed = 1e-5;
 constexpr double returns_early = 1e-7;  ///< return error at which fewer turns are the period
 /// Largest multiplier at the transient for which Newton's iteration is tried. No proven orbit had a larger
-/// one there, nor one above 1 at a later iterate; a refused orbit is tried again later.
+/// multiplier there, nor one above 1 at a later iterate; a refused orbit is tried again later.
 constexpr double hopeless_from_afar = 1.2;
 
 double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
@@ -50,7 +52,7 @@ struct Return {
   MatrixXd monodromy;
 };
 
-/// Return after `order` turns from x, or after a divisor of them if the return is as good there.
+/// Return after `order` turns from x, or after a divisor of them if the return error is as small there.
 std::optional<Return> return_of(const TurnMap& turn, const VectorXd& x, int order) {
   VectorXd now = x;
   MatrixXd monodromy = MatrixXd::Identity(x.size(), x.size());
@@ -162,14 +164,15 @@ bool PeriodSearch::closest(int order, double error) const {
   return true;
 }
 
-/// Whether the return has contact in between, and is closer than at the last attempt or that was long ago.
+/// Whether there was contact before the return, and the return is either closer than at the last attempt or
+/// much later.
 bool PeriodSearch::is_due(int order, double error) const {
   const Tried& tried = tried_[static_cast<std::size_t>(order)];
   return last_touch_ >= turns_ - order && (error < tried.below || (tried.again > 0 && turns_ >= tried.again));
 }
 
-/// Whether the return one period earlier was farther: near an unstable orbit a transient returns less and
-/// less closely.
+/// Whether the return one period earlier was farther. (Near an unstable orbit the returns of a transient
+/// become less and less close.)
 bool PeriodSearch::contracts(int order, double error) const {
   return turns_ > 2 * order && return_error(order, error, order) > error;
 }

@@ -17,8 +17,8 @@ class PeriodSearch {
   /// Adds the section after one more turn; `touched`: there was contact in this turn.
   void add(std::span<const double> section, bool touched);
 
-  /// A number of turns after which the section lately returned closer than after any smaller number and
-  /// closer than the time before, with contact in between; usually empty.
+  /// A number of turns after which the section has recently returned closer than after any smaller number,
+  /// and closer than one period earlier, with contact in between; usually empty.
   std::optional<int> candidate() const;
 
   /// Marks `order` as not proven. It is proposed again when the return is much closer, or much later.
@@ -64,16 +64,17 @@ inline constexpr double largest_floquet_modulus = 1 - 1e-6;
 /// Largest distance between an orbit that is sought and the transient, in (clearance, clearance omega).
 inline constexpr double farthest_orbit = 0.2;
 
-/// Distance within which a transient at ordinary tolerances is on the orbit: smaller changes are noise.
+/// Distance at which a transient at ordinary tolerances counts as on the orbit, because smaller changes are
+/// noise.
 inline constexpr double on_the_orbit = 1e-6;
 
 /// Newton's iteration on the section, from a transient now at `section`, for an orbit of `order` turns whose
 /// multipliers all lie inside `largest_floquet_modulus`. Empty where it finds none. It stops at once where a
 /// multiplier of the monodromy matrix is too large for a stable orbit nearby: above 1.2 at the transient,
-/// above 1 at an iterate. An orbit that returns after fewer turns is reported with these. Whether the
-/// transient converges to the orbit is tested separately, see `comes_near`.
+/// above 1 at an iterate. An orbit that returns after fewer turns is reported with this smaller number.
+/// Whether the transient converges to the orbit is tested separately, see `comes_near`.
 std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const double> section, int order);
-/// The same with first steps by `roughly`: the same turn with derivatives accurate to about 1e-6.
+/// The same, with the first steps by `roughly`: the same turn with derivatives accurate to about 1e-6.
 std::optional<StableOrbit> find_orbit(const TurnMap& turn, const TurnMap& roughly,
                                       std::span<const double> section, int order);
 

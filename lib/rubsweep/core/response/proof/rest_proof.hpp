@@ -12,15 +12,14 @@ namespace rubsweep::response::proof {
 /// Proves that a rotor without contact will never touch again. Free vibration about the quiet motion is a sum
 /// of pairs of modal coordinates whose lengths a_j cannot grow (integrate::ModalForm). With row r of a
 /// contact (p = r q - clearance) therefore
-/// p(t) <= static part + harmonic amplitude + sum_j |r basis_j| a_j   for all later t.
+/// p(t) <= static part + harmonic amplitude + sum_j |r basis_j| a_j for all later t.
 /// If this bound is below zero for every contact, no contact can occur. In an annular stop |r basis_j| is the
 /// largest displacement of the rotor by pair j.
-/// the pair moves the rotor by.
 class RestProof {
  public:
   /// Never proves anything (`proves` is always false) when the quiet motion itself touches, a mode grows,
-  /// there is no modal form, or impulses keep disturbing the rotor. `forms` keeps modal forms that cells of
-  /// one speed share.
+  /// there is no modal form, or impulses continue to disturb the rotor. `forms`: cache of modal forms that
+  /// cells of one speed share.
   RestProof(const scene::Cell& cell, numerics::ModalFormCache& forms);
   explicit RestProof(const scene::Cell& cell);
 

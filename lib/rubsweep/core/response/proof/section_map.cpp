@@ -12,7 +12,8 @@
 namespace rubsweep::response::proof {
 namespace {
 
-/// Width of differences: both their own error (its square) and that of a solver at 1e-11 are then near 1e-6.
+/// Width of differences: their own error (its square) and the error from a solver at 1e-11 are then both near
+/// 1e-6.
 constexpr double difference_step = 1e-5;
 
 }  // namespace
@@ -28,7 +29,7 @@ SceneMap::SceneMap(const scene::Scene& scene, const integrate::run::SolverOption
       exact_(integrate::solver_of(scene, solver) == integrate::Solver::exact),
       run_(integrate::start(after_the_kick(scene), solver, modes)),
       budget_(budget),
-      // Steppers move tangent vectors beside contacts whose law is not linear.
+      // Steppers also move tangent vectors, if there are contacts whose law is not linear.
       moves_tangents_(exact_ ||
                       std::ranges::any_of(scene.contacts, [](const auto& c) { return c.law != nullptr; })),
       remembers_(integrate::run::remembers_impacts(scene)) {}
@@ -49,7 +50,7 @@ bool SceneMap::advance(std::span<double> section) {
   return true;
 }
 
-/// The exact solver goes on counting after a restart, a stepper begins anew.
+/// The exact solver continues its count of work after a restart, whereas a stepper begins a new count.
 void SceneMap::spend(bool counts_on) {
   const double before = std::exchange(work_, integrate::run::work(report_.effort));
   budget_->spend(counts_on ? work_ - before : work_);

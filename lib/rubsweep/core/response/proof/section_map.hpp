@@ -15,13 +15,14 @@ namespace rubsweep::response::proof {
 using SectionMap = std::function<bool(std::span<double> state)>;
 
 /// One revolution of a scene as a map of its scaled section (as TurnReport::section): from phase 0 to phase
-/// 0, the pulses left out. Every call starts afresh, so that the map has no memory: equal sections give equal
-/// sections to the last bit, near ones go through nearly the same steps. Where a contact is damped by how it
-/// began to touch, a section that touches is not made: it would not decide the turn after it.
+/// 0, without the pulses. Every call starts afresh, so that the map has no memory: equal sections give equal
+/// sections to the last bit, and nearby sections pass through nearly the same steps. Where the damping of a
+/// contact depends on its approach speed, the map fails for a section in contact, because the section does
+/// not determine the next turn.
 class SceneMap {
  public:
-  /// If there is a `budget`, it pays for the revolutions, which fail once it is used up. It must outlive the
-  /// map.
+  /// If there is a `budget`, the revolutions are charged to it, and they fail once it is used up. It must
+  /// outlive the map.
   SceneMap(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
            integrate::exact::modes::ModeCache& modes, integrate::run::WorkBudget* budget = nullptr);
 
@@ -29,8 +30,9 @@ class SceneMap {
   bool operator()(std::span<double> section);
 
   /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes its image under the
-  /// derivative of the new section by the old: from the exact solver where the turn has closed forms, of
-  /// Taylor pieces and beside curved laws to `accuracy`, else by central differences.
+  /// derivative of the new section by the old. The derivative comes from the exact solver where the turn has
+  /// closed forms. For Taylor pieces and for curved laws it has the accuracy `accuracy`; otherwise it comes
+  /// from central differences.
   bool carry(std::span<double> section, Eigen::MatrixXd& disturbances,
              double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 
@@ -39,15 +41,15 @@ class SceneMap {
   bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved,
                      double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 
-  /// From here on a turn that begins where the one before it ended is its continuation. Then contacts that
-  /// are damped by how they began to touch go on, and sections may touch.
+  /// From now on, a turn that begins where the turn before ended continues it. Contacts whose damping depends
+  /// on their approach speed then continue, so that sections may be in contact.
   void keep_memory() { keeps_memory_ = remembers_; }
-  /// Whether a section that touches does not decide the turn after it.
+  /// Whether a section in contact does not determine the next turn.
   bool remembers() const { return remembers_; }
-  /// Some contact was touching at the end of the revolution made last.
+  /// Whether some contact was touching at the end of the last revolution.
   bool touching_at_end() const { return report_.touching_at_end; }
 
-  /// The exact solver makes the turns, as far as they have closed forms.
+  /// Whether the exact solver makes the turns, as far as they have closed forms.
   bool exact() const { return exact_; }
 
   /// Whether all revolutions so far had closed forms.
@@ -60,7 +62,7 @@ class SceneMap {
 
  private:
   bool advance(std::span<double> section);
-  /// `counts_on`: the solver counts its work from before the turn.
+  /// `counts_on`: the solver continues its count of work from before the turn.
   void spend(bool counts_on);
 
   std::size_t states_;
@@ -72,7 +74,7 @@ class SceneMap {
   integrate::run::TurnReport report_;
   std::vector<double> before_;
   bool moves_tangents_, remembers_, keeps_memory_ = false;
-  bool whole_ = false;  ///< the latest revolution was made to its end
+  bool whole_ = false;  ///< whether the latest revolution was completed
 };
 
 /// The scene without its pulses.

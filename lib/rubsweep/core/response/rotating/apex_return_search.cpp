@@ -9,7 +9,7 @@ namespace {
 
 constexpr int most_maxima = 32;
 /// Smallest radial speed, as a share of |z| |z'|. A distance from the centre that changes more slowly counts
-/// as constant, as on a circle: its maxima are only rounding.
+/// as constant, as on a circle, where maxima are only rounding.
 constexpr double constant_rate = 1e-12;
 
 }  // namespace

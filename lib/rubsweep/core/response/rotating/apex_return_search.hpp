@@ -11,7 +11,7 @@
 namespace rubsweep::response::rotating {
 
 /// Watches a transient of a rotationally symmetric scene for signs of a closed orbit in the rotating frame:
-/// states, in that frame, at maxima of |z| of the observed point that return.
+/// the states at maxima of |z| of the observed point, seen in the rotating frame, then return.
 class ApexReturnSearch {
  public:
   explicit ApexReturnSearch(const scene::Scene& scene);

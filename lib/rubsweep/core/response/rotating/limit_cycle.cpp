@@ -19,8 +19,8 @@ constexpr double first_tolerance = 1e-4, rough_tolerance = 1e-6, tolerance_of_a_
 using Eigen::MatrixXd;
 
 constexpr numerics::NewtonLimits cycle_newton{.iterations = 8, .free_iterations = 3, .growth = 0.5};
-/// Largest return error of a guess. In figure 11, 40 of 715 guesses were farther off, and none of them led to
-/// the cycle that the transient reached.
+/// Largest return error of a guess. In figure 11, 40 of 715 guesses had larger errors, and none of them led
+/// to the cycle that the transient reached.
 constexpr double farthest_guess = 0.08;
 constexpr double share_of_closed = 0.01;  ///< share of `closed` to be reached with a kept derivative
 constexpr double period_changes = 0.2;    ///< largest change of the period, as a share of its first guess
@@ -28,7 +28,8 @@ constexpr int most_parts = 64;          ///< parts of a found period after one o
 constexpr double returns_early = 1e-4;  ///< return error at which a part is the period
 constexpr double stands_still = 1e-5;   ///< rate below which a cycle is only a point
 constexpr double followed_down = 1e-3;  ///< share of its distance down to which a transient is followed
-constexpr double near_by = 1e-5;        ///< or this distance: smaller changes are noise of the rough flow
+/// or this distance, because smaller changes are noise of the rough flow
+constexpr double near_by = 1e-5;
 constexpr proof::Patience patience{.start = 64, .most = 3000};  ///< limits in periods
 
 /// Number of predicted returns in a row after which half of the distance is enough.
@@ -46,7 +47,7 @@ constexpr Accuracy exact{.closed = 1e-9, .trivial = 1e-5, .known_within = 0};
 struct Closed {
   VectorXd x;
   double period_rad = 0;
-  RotatingArc once;  ///< arc from x, or from so near that its derivative is accurate enough
+  RotatingArc once;  ///< arc from x, or from a point so near that the derivative is accurate enough
   /// State after Newton's next step, kept so that an iteration with another accuracy need not repeat it.
   VectorXd next_x;
   double next_period_rad = 0;
@@ -77,7 +78,7 @@ class NewtonSteps {
   numerics::dense::LuFactors factors_;
 };
 
-/// Flows for Newton's steps. The coarser flow makes the first step, which gains as much from far away.
+/// Flows for Newton's steps. The first step is made with the coarser flow, which gains as much from far away.
 struct Flows {
   const RotatingMotion::Flow &at_first, &then;
 };
@@ -115,7 +116,8 @@ struct CycleNewton {
     return error;
   }
 
-  /// The derivative is kept while it still gains much, so that the exact iteration starts nearer.
+  /// The derivative is kept while it still gains much, so that the exact iteration starts nearer to the
+  /// cycle.
   bool converged(int, double error, double last) const {
     const bool goes_on = known && error > share_of_closed * wanted.closed && error < last / 10;
     return error < wanted.closed && !goes_on;
@@ -139,8 +141,8 @@ std::optional<Closed> close(const RotatingMotion& motion, const Flows& flows, co
   return Closed{x, found.period, *found.arc, x + step.head(x.size()), found.period + step(x.size())};
 }
 
-/// Largest modulus of all multipliers except the trivial one. Empty when the trivial one differs too much
-/// from 1, which shows the accuracy of all, or when another is too large.
+/// Largest modulus of all multipliers except the trivial one. Empty when the trivial multiplier, which shows
+/// the accuracy of all, differs too much from 1, or when another multiplier is too large.
 std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_within) {
   const Eigen::VectorXcd multipliers = numerics::dense::eigenvalues(monodromy);
   Eigen::Index trivial = 0;
@@ -154,9 +156,10 @@ std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_w
   return modulus;
 }
 
-/// Follows the transient period by period until it is near the cycle: a thousandth of its distance in the
-/// adapted norm of the return map across the cycle, `near_by`, or half of it by LinearConvergenceTest. A
-/// phase shift is no distance: each period is shortened or extended by the previous offset along the motion.
+/// Follows the transient period by period until it is near the cycle. "Near" means a thousandth of its first
+/// distance in the adapted norm of the return map across the cycle, `near_by`, or half of the distance with
+/// LinearConvergenceTest passed. A phase shift is no distance: each period is shortened or extended by the
+/// previous offset along the motion.
 bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Closed& cycle) {
   const Eigen::Index n = start.size();
   const VectorXd rate = motion.rate(cycle.x), along = rate.normalized();
@@ -183,7 +186,7 @@ bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Close
     predicted = across * (cycle.once.transition * off);
     last = distance;
     const double late_rad = along.dot(image - cycle.x) / rate.norm();
-    // A state that is ahead by a period or more is on its way elsewhere, and no flow runs backwards.
+    // A state that is ahead by a period or more approaches something else, and no flow runs backwards.
     const double angle_rad = cycle.period_rad - late_rad;
     if (!(angle_rad > 0)) return false;
     const auto end = motion.end(image, angle_rad);
@@ -223,9 +226,9 @@ int parts_of(const RotatingMotion& motion, const VectorXd& x, double period_rad,
   return 1;
 }
 
-/// Newton's iteration may close several periods at once, dozens for a whip. Finds the smallest period that
-/// closes. If the motion returns after some fraction of the period, it also returns after one by a prime
-/// number.
+/// Newton's iteration may close several periods at once, dozens for a whip. This function finds the smallest
+/// period that closes. If the motion returns after a fraction of the period, it also returns after one that
+/// is a prime number of times shorter.
 std::optional<LimitCycle> smallest_cycle(const RotatingMotion& motion, const Closed& cycle) {
   int parts = 1;
   for (int k = most_parts; k > 1; parts *= k)

@@ -13,8 +13,8 @@
 namespace rubsweep::response::rotating {
 
 /// An autonomous system: its rate, and its flow from `state` over `angle_rad` in three accuracies: about 1e-4
-/// for Newton's first step (`at_first`), about 1e-6 for the next ones (`roughly`), and the accuracy wanted of
-/// the cycle (`exactly`).
+/// for Newton's first step (`at_first`), about 1e-6 for the next steps (`roughly`), and the accuracy required
+/// of the cycle (`exactly`).
 struct RotatingMotion {
   using Flow = std::function<std::optional<RotatingArc>(const Eigen::VectorXd& state, double angle_rad)>;
   std::function<Eigen::VectorXd(const Eigen::VectorXd& state)> rate;
@@ -31,14 +31,14 @@ struct LimitCycle {
 };
 
 /// Finds the closed orbit on which a transient now at `start` settles, with a period near one of
-/// `periods_rad` (ascending: where the transient alternates about an orbit, twice its period returns sooner).
-/// Newton's iteration on state and period closes the orbit; the state stays on the plane through `start` that
-/// is normal to the motion there. One multiplier of the monodromy matrix must be 1 (a shift along the orbit)
-/// within its accuracy, and all others inside `largest_floquet_modulus`. The transient must then approach the
-/// orbit: to a thousandth of its distance in the adapted norm of the return map, to 1e-5, or to half of it by
-/// `proof::LinearConvergenceTest` with three returns in a row.
-/// The result is observed, not proven: no ball about the orbit is known. Empty when no orbit closes and is
-/// stable, or when the transient does not approach the first one found.
+/// `periods_rad` (ascending, because a transient that alternates about an orbit returns sooner after twice
+/// its period). Newton's iteration on state and period closes the orbit; the state stays on the plane through
+/// `start` that is normal to the motion there. One multiplier of the monodromy matrix must be 1 (a shift
+/// along the orbit) within its accuracy, and all others inside `largest_floquet_modulus`. The transient must
+/// then approach the orbit: to a thousandth of its distance in the adapted norm of the return map, to 1e-5,
+/// or to half of the distance by `proof::LinearConvergenceTest` with three returns in a row. The result is
+/// observed, not proven: no ball about the orbit is known. Empty when no orbit closes and is stable, or when
+/// the transient does not approach the first orbit found.
 std::optional<LimitCycle> prove_limit_cycle(const RotatingMotion& motion, const Eigen::VectorXd& start,
                                             const std::vector<double>& periods_rad);
 
@@ -50,7 +50,7 @@ struct CycleFlows {
   CycleFlows(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
              int samples_per_revolution);
 
-  /// The motion with the rates of `field`; it refers to `field` and to these flows.
+  /// The motion with the rates of `field`. The result refers to `field` and to these flows.
   RotatingMotion motion(const RotatingField& field) const;
 };
 

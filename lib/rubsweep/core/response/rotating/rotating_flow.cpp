@@ -13,8 +13,9 @@
 namespace rubsweep::response::rotating {
 namespace {
 
-/// Accuracy from which a flow counts as rough: neither its derivative nor its motion needs to be much better,
-/// so that fewer terms and longer steps suffice. Newton's iteration still gains a factor of a thousand.
+/// Accuracy from which a flow counts as rough: neither its derivative nor its motion then needs to be much
+/// better, so that fewer terms and longer steps suffice. Newton's iteration still gains a factor of a
+/// thousand.
 constexpr double rough_from = 1e-7, share_of_tolerance = 1e-3;
 
 double series_accuracy_for(double tolerance) {
@@ -30,8 +31,8 @@ void append_samples(const integrate::run::TurnReport& turn, Eigen::Index states,
       Eigen::Map<const Eigen::MatrixXd>(turn.samples.data(), whole, turn.sample_count).topRows(states);
 }
 
-/// Adds the measures of a turn, or of the part of a turn that ends an arc; `left_rad`: rest of the arc when
-/// the turn began.
+/// Adds the measures of a turn, or of the part of a turn that ends an arc; `left_rad`: remainder of the arc
+/// when the turn began.
 void add_measures(const integrate::run::TurnReport& turn, double left_rad, RotatingArc& arc) {
   for (integrate::run::ModeSwitch change : turn.switches) {
     change.phase_rad += arc.angle_rad - left_rad;
@@ -125,7 +126,7 @@ std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate
 }  // namespace
 
 /// One run for all arcs of all tolerances, because its data do not depend on the start. It is made when first
-/// needed. The usual scene, a rotor and one casing, gets a fixed size.
+/// needed. The most common scene, a rotor and one casing, gets a fixed size.
 struct RotatingFlow::Common {
   using Usual = integrate::taylor::TaylorRun<4>;
   using Other = integrate::taylor::TaylorRun<Eigen::Dynamic>;

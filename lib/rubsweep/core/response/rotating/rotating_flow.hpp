@@ -22,10 +22,10 @@ struct RotatingArc {
   bool slip_reversed = false;  ///< true: a slip reversed, as in TurnReport
   /// Changes of contact mode with phases from the start of the arc; none where contacts are smoothed.
   std::vector<integrate::run::ModeSwitch> switches;
-  double peak_displacement_m = 0;  ///< this and all members below: only with samples
+  double peak_displacement_m = 0;  ///< this member and all below: only with samples
   double peak_contact_force_n = 0;
   double peak_casing_displacement_m = 0;
-  Eigen::MatrixXd samples;  ///< 2n x count: states in the fixed frame at phases 2 pi k / N before the end
+  Eigen::MatrixXd samples;  ///< 2n x count: states in the fixed frame at 2 pi k / N before the end
 };
 
 /// Outcome of an arc by Taylor pieces; `by_stepper`: a stepper must compute it instead.

@@ -56,7 +56,7 @@ auto RotatingField::at(const VectorXd& state, const Visit& visit) const {
   if (smoothed_) return visit(smoothed_law_);
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
     const auto& c = system_.contacts[i];
-    // Set to a touching mode, so that the penetration is that of the wall; its value needs no acceleration.
+    // Set to a touching mode, so that the penetration is the true one; its value needs no acceleration.
     located_law_.modes()[i] = contact::Mode::sprung;
     const contact::Kinematics k = located_law_.kinematics(i, state, state);
     located_law_.modes()[i] = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);

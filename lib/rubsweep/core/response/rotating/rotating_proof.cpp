@@ -46,7 +46,7 @@ struct EquilibriumNewton {
 
 constexpr int free_for_long = 16;  ///< number of turns without contact
 
-/// Samples per turn, enough for a good start of Newton's iteration between two of them. The coarse number is
+/// Samples per turn, enough for a good start of Newton's iteration between two samples. The coarse number is
 /// used where an occasional turn with the fine number has few maxima.
 constexpr int fine_samples = 64, coarse_samples = 32, fine_turn_every = 8, few_maxima = 4;
 
@@ -54,8 +54,8 @@ constexpr int fine_samples = 64, coarse_samples = 32, fine_turn_every = 8, few_m
 /// radius of a whirl at four times the speed by 1.5e-6, which matters for a slip that is a small difference.
 constexpr int finer = 4;
 
-/// Share of its distance from a circle down to which a transient is followed, and the largest number of
-/// turns: a later look starts nearer.
+/// Share of its distance from a circle down to which a transient is followed. The largest number of turns
+/// follows; a later attempt starts nearer.
 constexpr double followed_to = 1e-4;
 constexpr proof::Patience patience_for_a_circle{.start = 200, .most = 200};
 
@@ -183,8 +183,8 @@ std::optional<motion::ProvenMotion> RotatingProof::look_for_cycle(const VectorXd
   return std::nullopt;
 }
 
-/// Whether a whole number of periods fits into a few turns as far as a section can tell. The motion is then
-/// called subharmonic (or synchronous), which only its recorded windows may decide.
+/// Whether a whole number of periods fits into a few turns, within the accuracy of a section. The motion is
+/// then called subharmonic (or synchronous), which only its recorded windows may decide.
 bool RotatingProof::returns_with_the_shaft(const LimitCycle& cycle) const {
   const double fastest = field_.rate(cycle.state).cwiseAbs().maxCoeff();
   for (int n = 1; n <= options_.max_order; ++n) {

@@ -113,9 +113,9 @@ class TurningOrbit {
   double mean_square_ = 0;
 };
 
-/// Position of the largest line between bins: under a Hann window, neighbours a and b of a line at a distance
-/// of d bins have b / a = (1 + d) / (2 - d) (R. Grandke, IEEE Trans. Instrum. Meas. 32 (1983) 350). Bin 0 is
-/// skipped, where the mean was.
+/// Position of the largest line between bins. Under a Hann window, neighbours a and b of a line at a distance
+/// of d bins have b / a = (1 + d) / (2 - d) (R. Grandke, IEEE Trans. Instrum. Meas. 32 (1983) 350). Bin 0,
+/// which held the mean, is skipped.
 double largest_line(const FullSpectrum& spectrum) {
   int k = 0;
   for (int j = spectrum.first_line() + 1; j < spectrum.last_line(); ++j) {

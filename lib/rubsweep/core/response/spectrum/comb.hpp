@@ -8,8 +8,8 @@
 
 namespace rubsweep::response::spectrum {
 
-/// Largest return error in the rotating frame, root mean square over the orbit's size there. A line off the
-/// comb with a thousandth of that size makes it 2e-3.
+/// Largest return error in the rotating frame: root mean square divided by the orbit's size in that frame. A
+/// line off the comb with a thousandth of this size makes the error 2e-3.
 inline constexpr double comb_tolerance = 2e-3;
 
 /// Lines at the orders 1 + k spacing, k = 0, +-1, ...: z = w e^{i phase} with w periodic. A closed orbit in

@@ -13,7 +13,7 @@ namespace rubsweep::response::spectrum {
 /// keeps its amplitude.
 std::vector<std::complex<double>> under_hann_window(std::span<const std::complex<double>> samples);
 
-/// Samples under a Hann window, minus their mean under it, which a growing line does not shift.
+/// Samples under a Hann window, minus their mean under this window, which a growing line does not shift.
 std::vector<std::complex<double>> under_hann_window_of_growing(std::span<const std::complex<double>> samples);
 
 /// full_spectrum of the samples under the window, with the true 0X. A line also appears in both neighbouring
@@ -29,11 +29,11 @@ inline constexpr int hann_half_width = 2;
 std::vector<double> energy_shares(std::span<const std::complex<double>> samples,
                                   SpectrumWorkspace& workspace);
 
-/// Smallest number of lines that hold `share` of the energy. The largest bin and two on either side of it
-/// form a line, then the largest remaining bin, and so on.
+/// Smallest number of lines that hold `share` of the energy. The largest bin and two bins on either side of
+/// it form a line, then the largest remaining bin, and so on.
 int lines_holding(std::span<const double> energy_shares, double share);
 
-/// Share of the energy, 0 to 1, that is in other lines in `second` than in `first`: half the sum of the
+/// Share of the energy, 0 to 1, that is in different lines in `second` than in `first`: half the sum of the
 /// absolute differences, after both are smoothed over the width of a line.
 double moved_share(std::span<const double> first, std::span<const double> second);
 

@@ -26,7 +26,8 @@ inline constexpr double oval_energy_share = 0.95;   ///< share of the energy wit
 inline constexpr double whirl_energy_share = 0.80;  ///< share of the energy without 0X
 
 /// Shape of the motion in `displacement_m`, the samples (in any unit) from which `spectrum` was computed. A
-/// motion without any line except 0X gives `complex`: a point has no shape, so call it only for motions.
+/// motion without any line except 0X gives `complex`. A point has no shape, so call the function only for
+/// motions.
 OrbitKind orbit_kind(std::span<const std::complex<double>> displacement_m, const FullSpectrum& spectrum);
 
 /// Whether a motion is a `circle` about a known centre; false without samples.

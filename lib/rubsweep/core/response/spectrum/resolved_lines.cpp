@@ -28,7 +28,7 @@ Complex component(std::span<const Complex> samples, std::span<const double> weig
   const Complex step = std::polar(1.0, -2 * pi * frequency);
   Complex sum = 0, turn = 1;
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    // A product of many steps would drift.
+    // A product of many steps would drift, so the phase is set anew.
     if (k % 64 == 0) turn = std::polar(1.0, -2 * pi * frequency * static_cast<double>(k));
     sum += weights[k] * samples[k] * turn;
     turn *= step;
@@ -92,8 +92,8 @@ bool is_covered(double frequency, std::span<const ResolvedLine> known, std::size
   });
 }
 
-/// Root mean square, of each component, of the bins near a frequency that no line covers: where lines were
-/// subtracted, part of the noise is missing.
+/// Root mean square, of each component, of the bins near a frequency that no line covers. (In bins where
+/// lines were subtracted, part of the noise is missing.)
 double noise_near(const Bins& rest, double frequency, std::span<const ResolvedLine> known) {
   constexpr std::size_t enough = 16;
   const std::size_t count = rest.amplitude.size();
@@ -151,8 +151,8 @@ void add_uncertainties(std::vector<ResolvedLine>& lines, std::span<Complex> left
     return std::max(0.0, difference * difference / 4 - noise * noise);
   };
   for (ResolvedLine& line : lines) {
-    // A Hann window determines a frequency to 0.6 noise / (amplitude length), half of the samples to 2.8
-    // times that.
+    // A Hann window determines a frequency to 0.6 noise / (amplitude length); half of the samples determine
+    // it to 2.8 times that.
     const double noise = noise_near(rest, line.frequency, lines), size = std::abs(line.amplitude);
     const double frequency_noise = 0.6 * noise / (size * count);
     add(left, line.frequency, line.amplitude);

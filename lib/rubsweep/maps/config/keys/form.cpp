@@ -23,7 +23,7 @@ std::string counted(std::size_t least, std::size_t most) {
   return least == most ? std::to_string(most) : fmt::format("{} to {}", least, most);
 }
 
-/// Allowed values of a form that is listed behind the form `first`, in words.
+/// Allowed values, in words, of a form that follows the form `first` in a list of several.
 std::string one_of_several(const Form& form, const Form& first) {
   switch (form.kind) {
     case Kind::integer:
@@ -46,7 +46,7 @@ std::string one_of_several(const Form& form, const Form& first) {
 struct Unit {
   std::string_view end, unit;
 };
-/// Units by the ending of a key. An ending that is part of a longer one stands behind the longer one.
+/// Units by the ending of a key. A longer ending stands before an ending that is part of it.
 constexpr std::array units{
     Unit{"_kg_per_m3", "kg/m3"},
     Unit{"_nms_per_rad", "N m s/rad"},

@@ -12,25 +12,25 @@ namespace rubsweep::config::keys {
 
 struct Key;
 
-/// Condition for a key: the key `selector` of the same map has one of `words`, or it is left out and
-/// `without_selector` says that its default is one of them.
+/// Condition for a key: the key `selector` of the same map has one of `words`. If `without_selector` is true,
+/// the condition also holds where the selector is left out, because its default is one of the words.
 struct Condition {
   std::string selector;
-  std::vector<std::string> words;  ///< words of the selector; empty: the key may stand anywhere
+  std::vector<std::string> words;  ///< words of the selector; empty: no condition
   bool without_selector = false;   ///< true: the selector has a default, which is one of the words
 };
 
-/// Keys that are given together: all of `required`, and any of `optional`. They exclude the keys of the other
-/// ways.
+/// Keys that are given together: all of `required`, and any of `optional`. Such a way excludes the keys of
+/// the other ways.
 struct Way {
   std::vector<std::string> required, optional;
 };
 
-/// Alternative ways to give a quantity. Exactly one is taken, or none where `may_be_none` holds.
+/// Alternative ways to give a quantity. Exactly one is used, or none where `may_be_none` is true.
 struct Choice {
   std::vector<Way> ways;
   bool may_be_none = false;
-  std::string replaces{};  ///< key that, written over ways where it is optional, takes their place
+  std::string replaces{};  ///< key that replaces ways in which it is optional, when it is written over them
 };
 
 /// Kind of value that may stand at a place.
@@ -45,7 +45,7 @@ enum class Kind {
   any_of     ///< any of `forms`
 };
 
-/// Values that may stand at a place of a configuration.
+/// Values that are allowed at a place of a configuration.
 struct Form {
   Kind kind = Kind::text;
   model::Range range{};                ///< range of a number
@@ -63,9 +63,10 @@ struct Form {
 struct Key {
   std::string name;
   Form form;
-  std::string meaning;     ///< noun phrase with what is needed besides, without unit and range
+  std::string meaning;     ///< noun phrase with further requirements, without unit and range
   std::string fallback{};  ///< default as it is written; empty: see `required`
-  bool required = false;   ///< has no default, where its condition holds and no choice leaves it out
+  /// the key has no default and must be given if its condition holds, unless a choice leaves it out
+  bool required = false;
   Condition when{};
   std::string since = "0.1.0";  ///< version that knew it first
 };
@@ -87,13 +88,14 @@ Key must(std::string name, Form form, std::string meaning);
 Key may(std::string name, Form form, std::string meaning, std::string fallback = "");
 /// Returns the key with the condition `when`.
 Key beside(Key key, Condition when);
-/// Returns the keys, marked as known since the version after 0.1.0.
+/// Returns the keys, marked as introduced after version 0.1.0.
 std::vector<Key> newer(std::vector<Key> keys);
 Key newer_key(Key key);
 
 /// Ways of one key each.
 Choice either(std::span<const std::string_view> names);
-/// Ways of several keys each. Keys with a default are optional in their way, the others required.
+/// Choice between ways of several keys each. Keys with a default are optional in their way, the others
+/// required.
 Choice choice_of(const std::vector<std::vector<Key>>& ways);
 
 /// Whether a key of a map belongs to one of the map's choices.

@@ -16,7 +16,7 @@
 
 namespace rubsweep::config::keys {
 
-/// Form of the values that a key may have, from its entry in the struct's list of fields.
+/// Form of the values that a key may have, made from its entry in the struct's list of fields.
 inline Form form_of(const model::Range& range) { return number(range); }
 inline Form form_of(const model::IntegerRange& range) {
   return range.even ? even_integer(range.low, range.high) : integer(range.low, range.high);

@@ -49,8 +49,8 @@ model::StribeckFriction read_curve(yaml::Section& section) {
   return {};
 }
 
-/// Refuses a friction law, in either spelling, that has a negative or too large coefficient at some slip: a
-/// negative one would drive the slip.
+/// Refuses a friction law, in either spelling, whose coefficient is negative or too large at some slip. A
+/// negative coefficient would drive the slip.
 void refuse_driving(const yaml::Section& section, std::string_view key, const model::Friction& friction) {
   const contact::FrictionBounds bounds = contact::friction_bounds(friction);
   if (contact::brakes(bounds)) return;

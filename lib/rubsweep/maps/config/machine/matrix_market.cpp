@@ -185,7 +185,7 @@ class MatrixReader {
     refuse_rest(fmt::format("the numbers of {} columns", size_));
   }
 
-  /// The format has one number a line in array files, but many programs write more.
+  /// The format requires one number a line in array files, but many programs write more.
   double next_number() {
     if (word_ == words_of_line_) {
       if (!lines_.next())

@@ -15,8 +15,8 @@ namespace rubsweep::config::machine {
 /// the configuration.
 std::optional<Eigen::MatrixXd> read_matrix_market(const yaml::Value& value);
 
-/// Text that reads back as the same matrix: symmetric or skew-symmetric where the matrix is, by coordinates
-/// or, where that is shorter, as an array.
+/// Text that reads back as the same matrix: symmetric or skew-symmetric if the matrix is, and by coordinates
+/// or as an array, whichever is shorter.
 std::string matrix_market(const Eigen::MatrixXd& matrix);
 
 }  // namespace rubsweep::config::machine

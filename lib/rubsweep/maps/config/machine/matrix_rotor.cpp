@@ -21,7 +21,7 @@ namespace {
 
 constexpr double same_place = 1e-9;  ///< largest distance of equal places, as a share of the shaft's length
 
-/// Parts of a rotor kit that matrices exclude, and why.
+/// Parts of a rotor kit that cannot be combined with matrices, and the reasons.
 constexpr std::pair<std::string_view, std::string_view> excluded[]{
     {"shaft", "is what the matrices stand for"},
     {"discs", "are what the matrices stand for"},
@@ -103,7 +103,8 @@ Form matrix_unbalance() {
                1, most_rows)});
 }
 
-/// Whether a key of a rotor kit may not stand beside matrices, because they contain it or exclude it.
+/// Whether a key of a rotor kit cannot be combined with matrices, because they contain its effect or exclude
+/// it.
 bool is_excluded_by_matrices(std::string_view name) {
   return name == mass_damping_key ||
          std::ranges::any_of(excluded, [&](const auto& one) { return one.first == name; });

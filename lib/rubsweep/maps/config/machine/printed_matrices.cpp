@@ -20,7 +20,7 @@ struct UnbalanceRow {
   double real_kg, imaginary_kg;
 };
 
-/// Rows of the degrees of freedom with a known unbalance. At least one row, since a table may not be empty.
+/// Rows of the degrees of freedom that have an unbalance. At least one row, since a table may not be empty.
 std::vector<UnbalanceRow> unbalance_rows(const model::ShaftMatrices& matrices) {
   std::vector<UnbalanceRow> rows;
   for (std::size_t i = 0; i < matrices.degrees_of_freedom.size(); ++i) {

@@ -18,7 +18,7 @@ constexpr Words<bool, 2> flags{{"false", "true"}, {false, true}};
 constexpr Words<model::ShearCoefficient, 2> shear_methods{
     {"cowper", "hutchinson"}, {model::ShearCoefficient::cowper, model::ShearCoefficient::hutchinson}};
 
-/// Value of a key; empty also where it is null, by which ROSS writes "not given".
+/// Value of a key; empty also where it is null, which means "not given" in files of ROSS.
 std::optional<yaml::Value> given(yaml::Section& section, std::string_view name) {
   const auto value = section.find(name);
   return value && value->node.kind != yaml::Node::Kind::null ? value : std::nullopt;
@@ -30,7 +30,7 @@ int read_node(yaml::Section& section) {
   return number ? static_cast<int>(*number) : 0;
 }
 
-/// Marks keys as known that are needed only to draw the rotor.
+/// Marks as known some keys that are needed only to draw the rotor.
 void ignore(yaml::Section& section, std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) section.find(name);
 }
@@ -102,9 +102,9 @@ std::vector<double> read_numbers_or_one(yaml::Section& section, std::string_view
   return numbers;
 }
 
-/// Speed in Hz. Tables are made at whole revolutions per minute, but saved in rad/s with some ten digits. A
-/// speed that is a whole number of rpm to nine digits is rounded to it, so that a sweep may begin and end
-/// where the table does.
+/// Speed in Hz. Tables are made at whole revolutions per minute, but saved in rad/s with about ten digits. A
+/// speed that is a whole number of rpm to nine digits is rounded to this number, so that a sweep can begin
+/// and end at the ends of the table.
 double speed_hz_of(double rad_per_s) {
   constexpr double nine_digits = 1e-9;
   const double hz = rad_per_s / (2 * std::numbers::pi), rpm = model::rpm_per_hz * hz, whole = std::round(rpm);
@@ -170,7 +170,7 @@ void spread(yaml::Section& section, Columns& columns, std::size_t count) {
 }
 
 /// Refuses a table over the whirl frequency, and returns whether it did. A motion that is not synchronous
-/// would need the coefficients at its own frequency, not at that of the shaft.
+/// would need the coefficients at its own frequency instead of the shaft speed.
 bool refuse_whirl_table(yaml::Section& section) {
   const auto frequency = given(section, "frequency");
   if (!frequency || frequency->node.items.size() < 2) return false;

@@ -25,8 +25,8 @@ struct AtNode {
   const RossElement* element = nullptr;
 };
 
-/// Reads a shaft element as a segment without layers. Problems go to the element's diagnostics, and the
-/// caller must not use the result if there is one.
+/// Reads a shaft element as a segment without layers. Problems go to the element's diagnostics; if there is
+/// any, the caller must not use the result.
 AtNode<model::ShaftSegment> read_ross_shaft(const RossElement& element);
 AtNode<model::Disc> read_ross_disc(const RossElement& element);
 
@@ -36,7 +36,8 @@ struct RossMass {
 };
 AtNode<RossMass> read_ross_mass(const RossElement& element);
 
-/// Bearing or seal: its coefficients, constant or over the speed, and the part that it stands on.
+/// Bearing or seal: its coefficients, constant or as a function of the speed, and the part on which it
+/// stands.
 struct RossSupport {
   model::Support support;
   std::optional<int> linked_node;

@@ -28,7 +28,7 @@ class KitOfElements {
   KitOfElements(yaml::Value file, RossSettings settings) : file_(std::move(file)), settings_(settings) {}
 
   /// Builds the kit. `sound`: no problem was found in the file yet. Relations between elements are checked
-  /// only if each element is valid by itself: otherwise a missing one would give misleading problems.
+  /// only if each element is valid: an invalid element would otherwise cause misleading problems.
   model::RotorKit build(const RossSections& elements, bool sound) {
     const std::size_t problems = file_.diagnostics.count();
     std::vector<AtNode<model::ShaftSegment>> shaft;
@@ -203,7 +203,7 @@ void visit_unbalance(auto& disc, auto&& visit) {
   visit("skew_phase_deg", disc.skew_phase_deg, key(any_finite, "angle of that lean"));
 }
 
-/// Reads the unbalance of discs that are named by their tags; all other discs become balanced.
+/// Reads the unbalance of discs, named by their tags. Discs that are not named become balanced.
 void read_unbalance(const yaml::Value& list, const RossSections& elements, model::RotorKit& kit) {
   const auto items = read_list(list, model::RotorKit::most_parts);
   if (!items || kit.discs.size() != elements.discs.size()) return;
@@ -269,7 +269,7 @@ model::RotorKit read_ross_rotor(yaml::Section& section) {
       if (unbalance) read_unbalance(*unbalance, elements, kit);
     }
   }
-  // Elements of the file stay as they are, but a stop or a sensor between two nodes divides its element.
+  // Elements of the file are not divided, except by a stop or a sensor between two nodes.
   kit.elements = 1;
   read_kit_rest(section, kit);
   if (name && section.is_sound()) refuse_loose_shaft(*name, kit);

@@ -10,7 +10,7 @@ namespace rubsweep::config::machine {
 
 /// Reads the keys of `rotor` for kind: ross. `file` names a TOML or JSON file of ROSS
 /// (github.com/petrobras/ross), relative to the file of the configuration. `unbalance` is a list of discs by
-/// their tags. The remaining keys are those of a rotor kit that a ROSS file does not have (read_kit_rest).
+/// their tags. The remaining keys are those that a rotor kit has but a ROSS file does not (read_kit_rest).
 /// The result is a rotor kit with the elements of the file.
 model::RotorKit read_ross_rotor(yaml::Section& section);
 std::vector<keys::Key> ross_keys();

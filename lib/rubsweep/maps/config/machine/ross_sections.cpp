@@ -100,8 +100,8 @@ RossSettings read_ross_settings(const yaml::Value& file) {
     if (name == "ross_version") settings.whirl_tables = read_version(value) >= first_with_whirl_tables;
     if (name != "parameters") continue;
     yaml::Section parameters(value);
-    // Ignored are speeds that only plots use, and the default damping ratio of modes: damping ratios of modes
-    // are refused.
+    // Ignored are speeds that are used only for plots, and the default damping ratio of modes, because
+    // damping ratios of modes are refused anyway.
     for (const std::string_view ignored : {"min_w", "max_w", "rated_w", "tag", "default_damping_ratio"})
       parameters.find(ignored);
     read_damping(parameters, settings);

@@ -11,8 +11,8 @@ namespace rubsweep::config::machine {
 struct RossSettings {
   double mass_damping_per_s = 0;   ///< alpha: damping of all masses, in the fixed frame
   double stiffness_damping_s = 0;  ///< beta: damping of the shaft by its stiffness
-  /// true: tables over `frequency` are over the whirl frequency, which is so since version 3. Before that
-  /// they were over the speed of the shaft.
+  /// true: tables over `frequency` use the whirl frequency, as since version 3; false: the speed of the
+  /// shaft, as in earlier versions.
   bool whirl_tables = false;
 };
 

@@ -18,8 +18,8 @@ constexpr std::string_view frequency_key = "natural_frequency_hz", ratio_key = "
 
 bool is_given(yaml::Section& section, std::string_view key) { return section.find(key).has_value(); }
 
-/// Reads a number of the struct by its own key, or another number that it follows from. Both together are a
-/// problem.
+/// Reads a number of the struct by its own key, or by the key of another number from which it is computed. If
+/// both are given, that is a problem.
 void read_one(yaml::Section& section, std::string_view own_key, double& own, std::string_view other_key,
               std::optional<double>& other, const model::Range& range) {
   const bool own_given = is_given(section, own_key), other_given = is_given(section, other_key);
@@ -28,8 +28,8 @@ void read_one(yaml::Section& section, std::string_view own_key, double& own, std
   section.field(other_key, other, range);
 }
 
-/// Kinds in the order of model::Rotor, then kinds of other tools' files, which are converted to one of the
-/// first two.
+/// Kinds in the order of model::Rotor, then kinds for files of other tools, which are converted to one of the
+/// first two kinds.
 constexpr std::array<std::string_view, 4> rotor_kinds{"jeffcott", "rotor_kit", "ross", "matrices"};
 
 /// Keys of `rotor` for kind: jeffcott, except `kind`.

@@ -13,7 +13,7 @@ namespace rubsweep::config::machine {
 
 /// Reads the keys of `rotor` for kind: rotor_kit.
 model::RotorKit read_rotor_kit(yaml::Section& section);
-/// Reads the keys of a kit that no file of another tool has. Call it when the shaft is known.
+/// Reads the keys of a kit that files of other tools do not have. Call it when the shaft is known.
 void read_kit_rest(yaml::Section& section, model::RotorKit& kit);
 std::vector<keys::Key> kit_rest_keys();
 

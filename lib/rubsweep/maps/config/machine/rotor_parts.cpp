@@ -117,7 +117,7 @@ void read_disc_geometry(yaml::Section& section, model::Disc& disc) {
     inner.refuse_together("inner_diameter_m", {"inner_diameter_m"}, "no disc is left",
                           "a number below outer_diameter_m");
   }
-  // After a problem any numbers will do, as the disc is not used: zeros cause no further problem.
+  // After a problem the disc is not used. Zeros are then returned, because they cause no further problem.
   const bool sound = inner.is_sound();
   disc.mass_kg = sound ? geometry.mass_kg() : 0;
   disc.polar_inertia_kg_m2 = sound ? geometry.polar_inertia_kg_m2() : 0;

@@ -17,7 +17,7 @@ inline constexpr std::array<std::string_view, 3> disc_inertias{"mass_kg", "polar
 /// Words for the kinds of bearing defects, in the order of model::BearingDefect.
 inline constexpr std::array<std::string_view, 4> bearing_defects{"outer_race", "inner_race", "ball", "cage"};
 
-/// Reads the keys of a segment of `rotor.shaft` that are no plain numbers, and its layers.
+/// Reads those keys of a segment of `rotor.shaft` that are more than a number, and its layers.
 void read_segment(yaml::Section& section, model::ShaftSegment& segment);
 void print_segment(yaml::Printer& printer, const model::ShaftSegment& segment);
 
@@ -25,10 +25,11 @@ void print_segment(yaml::Printer& printer, const model::ShaftSegment& segment);
 model::Bow read_bow(const yaml::Value& value, const model::Range& places);
 void print_bow(yaml::Printer& printer, const model::Bow& bow);
 
-/// Computes mass and inertias of a disc from its `geometry`, if that is given. Call it before they are read.
+/// Computes mass and inertias of a disc from its `geometry`, if given. Call it before mass and inertias are
+/// read.
 void read_disc_geometry(yaml::Section& section, model::Disc& disc);
 
-/// Reads `fault` of a support: with `multiple`, or with the `bearing` from which it follows.
+/// Reads `fault` of a support: `multiple`, or the `bearing` from which it is computed.
 model::BearingFault read_bearing_fault(const yaml::Value& value);
 
 }  // namespace rubsweep::config::machine

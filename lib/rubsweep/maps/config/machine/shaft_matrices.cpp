@@ -214,9 +214,9 @@ void read_unbalance(const yaml::Value& value, const Freedoms& freedoms, ShaftMat
   for (const yaml::Value& item : *items) read_node_unbalance(item, freedoms, matrices);
 }
 
-/// Reads the matrices. One that is left out is zero. Where a needed one is missing or cannot be read, which
-/// is a problem of the file, the unit matrix stands for it: later checks then add no problems that follow
-/// from this.
+/// Reads the matrices. A matrix that is left out is zero. A needed matrix that is missing or cannot be read
+/// is a problem of the file. The unit matrix then takes its place, so that later checks do not add problems
+/// that follow from the first one.
 void read_matrices(yaml::Section& section, ShaftMatrices& matrices) {
   const auto n = static_cast<Eigen::Index>(matrices.degrees_of_freedom.size());
   for (const MatrixKey& key : matrix_keys) {

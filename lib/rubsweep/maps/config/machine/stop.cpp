@@ -50,7 +50,7 @@ model::AnnularGeometry read_annular(yaml::Section& section) {
 model::StopGeometry read_geometry(yaml::Section& section) {
   const auto kind = section.require_kind("kind", stop_kinds);
   if (!kind) {
-    // Without a kind it is unknown which keys belong here: these are neither required nor refused.
+    // Without a kind the allowed keys are unknown, so this key is neither required nor refused.
     section.find("angle_deg");
     section.find("offset_m");
     return {};
@@ -123,8 +123,8 @@ model::NormalLaw read_law(const yaml::Value& value) {
   return law;
 }
 
-/// Reads keys of a linear contact beside another force law, whose secant stiffness becomes the stiffness of
-/// the stop.
+/// Reads keys of a linear contact that stand beside another force law. The secant stiffness of this law
+/// becomes the stiffness of the stop.
 void fit_to_law(yaml::Section& section, model::Stop& stop) {
   for (const std::string_view name :
        {stiffness_key, model::name_of<model::NominalRestitution>(),
@@ -150,7 +150,7 @@ void fit_to_law(yaml::Section& section, model::Stop& stop) {
         model::describe(model::positive, stop.stiffness_n_per_m));
 }
 
-/// Reads the contact stiffness, which is given or follows from hertz or another law.
+/// Reads the contact stiffness, or computes it from hertz or from another law.
 void read_contact(yaml::Section& section, model::Stop& stop) {
   if (const auto law = section.find(law_key)) stop.law = read_law(*law);
   const auto hertz = section.find(hertz_key);

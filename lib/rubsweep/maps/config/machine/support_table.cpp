@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::string_view table_forms =
     "a map with file, or one with speed_hz, speed_rpm or speed_rad_per_s, kxx, kyy and others";
-/// Ending of the name of a column, and how many SI units its numbers count in; the second one is printed.
+/// Ending of a column's name, and the size of its unit in SI units.
 struct Ending {
   std::string_view ending;
   double in_si = 0;
@@ -72,7 +72,7 @@ std::vector<double> read_column(const yaml::Value& value, const model::Range& ra
   return numbers;
 }
 
-/// Column of speeds, in whichever unit it is given.
+/// Column of speeds, in any of its units.
 std::optional<yaml::Value> find_speeds(yaml::Section& section) {
   section.require_exactly_one(speed_keys);
   std::optional<yaml::Value> found;
@@ -81,7 +81,7 @@ std::optional<yaml::Value> find_speeds(yaml::Section& section) {
   return found;
 }
 
-/// Speeds of the column in Hz, in the order given.
+/// Speeds of the column in Hz, in their given order.
 std::vector<double> read_speeds(const yaml::Value& given) {
   std::vector<double> speeds = read_column(given, model::not_negative, 1);
   for (double& speed : speeds) {
@@ -142,7 +142,7 @@ std::optional<std::vector<double>> find_column(yaml::Section& section, std::size
   return found;
 }
 
-/// Ending of a key, by the unit of a column; empty where there is none.
+/// Ending of a key for the unit of a column; empty where there is none for this unit.
 std::string_view ending_of(std::string_view words) {
   const auto unit = table::unit_of(words);
   if (!unit) return {};

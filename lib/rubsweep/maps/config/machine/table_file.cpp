@@ -35,8 +35,8 @@ struct Line {
   table::Fault fault(std::string wrong, std::string allowed) const {
     return {number, 1, std::move(wrong), std::move(allowed)};
   }
-  /// Flag of units at a place of this line: true where ANSYS converts from US customary units or rpm, and
-  /// where the flag is left out.
+  /// Flag of units at a place of this line: true (also where the flag is left out) if ANSYS converts from US
+  /// customary units or rpm.
   bool flag(std::size_t place) const {
     if (place < cells.size() && cells[place] != "0" && cells[place] != "1")
       throw fault(fmt::format("'{}' is no flag of units", cells[place]), "0 or 1");
@@ -55,7 +55,7 @@ std::vector<Line> lines_of(std::string_view text) {
 
 constexpr std::string_view allowed_table_file = "a file to read, named relative to this one";
 
-/// Reads the columns of a text by their keys. A column of unknown name that holds words is a comment.
+/// Reads the columns of a text by their keys. A column that has an unknown name and holds words is a comment.
 class TableFile {
  public:
   TableFile(const yaml::Value& name, const KeyOf& key_of, int file)
@@ -107,7 +107,7 @@ class TableFile {
                                    fmt::format("{}, as many as there are names", layout.columns.size()));
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
       std::string text(cells[i]);
-      // In a column of numbers, a number with another decimal sign than those before it is a problem.
+      // All numbers of a column must have the same decimal sign.
       if (rows.is_number(i)) {
         const double number = rows.number(i);
         if (text.find_first_of(",Dd") != std::string::npos) text = fmt::format("{}", number);

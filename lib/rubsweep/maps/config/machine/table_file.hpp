@@ -15,9 +15,9 @@
 namespace rubsweep::config::machine {
 
 /// Columns of a file of bearing characteristics as ANSYS imports it, under the keys of a table of supports.
-/// The file has up to three lines of titles, then a line with the number of speeds and two flags. For each
-/// speed follow three lines: its number and the speed; K11, K12, K21, K22; C11, C12, C21, C22. The first flag
-/// is 1 for lbf/in and lbf s/in, 0 for N/m and N s/m. The second is 1 for rpm, 0 for rad/s. A flag that is
+/// The file has up to three lines of titles, then a line with the number of speeds and two flags. Three lines
+/// follow for each speed: its number and the speed; K11, K12, K21, K22; C11, C12, C21, C22. The first flag is
+/// 1 for lbf/in and lbf s/in, 0 for N/m and N s/m. The second flag is 1 for rpm, 0 for rad/s. A flag that is
 /// left out is 1. Empty for any other text. Throws table::Fault for such a file that is incomplete. `file`:
 /// see yaml::SourcePosition.
 std::optional<yaml::Node> read_ansys_bearing(std::string_view text, int file);
@@ -29,11 +29,11 @@ struct ColumnKey {
 };
 using KeyOf = std::function<ColumnKey(const table::Heading&)>;
 
-/// Replaces a map {file: NAME} by the columns of that file, and leaves any other node as it is. The file is a
-/// table as people write it (table/layout.hpp): a line of names, some of them known, with units behind the
-/// names or in the line below, then lines of cells. Columns of unknown names that hold words are comments,
-/// and rows of empty cells are ignored. NAME is relative to the file that it stands in. A file that cannot be
-/// read is a problem of the key, an error in it is a problem of its line.
+/// Replaces a map {file: NAME} by the columns of that file, and leaves any other node unchanged. The file is
+/// a table as people write it (table/layout.hpp): a line of names, some of them known, with units behind the
+/// names or in the line below, then lines of cells. Columns that have an unknown name and hold words are
+/// comments, and rows of empty cells are ignored. NAME is relative to the file in which it stands. A file
+/// that cannot be read is a problem of the key, an error inside it a problem of its line.
 void resolve_table_file(yaml::Node& table, const std::string& path, const KeyOf& key_of,
                         yaml::Diagnostics& diagnostics);
 

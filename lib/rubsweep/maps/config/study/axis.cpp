@@ -192,7 +192,7 @@ keys::Form axis_form(const model::Range& range) {
 
 void print_axis_values(yaml::Printer& printer, const std::vector<double>& values,
                        const std::optional<batch::Spacing>& spacing, double units_per_si) {
-  // Values that were changed after reading no longer match their spacing, and are printed as a list.
+  // Values that were changed after reading no longer agree with their spacing. They are printed as a list.
   if (!spacing || batch::spaced(*spacing, units_per_si) != values) {
     printer.numbers("values", values);
     return;

@@ -22,8 +22,8 @@ inline constexpr std::string_view axis_forms =
     "a number, {from, to, count}, {from, to, step} or {values: [...]}";
 inline constexpr long max_axis_values = 10'000;
 
-/// Purpose of printed axes. `as_written` is for people: ends and count if they were given, in the unit of the
-/// file. `by_value` is for a digest, which must not depend on how a file is written.
+/// Purpose of printed axes. `as_written` is for people: with ends and count if these were given, in the unit
+/// of the file. `by_value` is for a digest, which must not depend on how a file is written.
 enum class AxisPrint { as_written, by_value };
 
 /// Values of one axis in SI units, and their spacing if they were not given as a list.
@@ -35,8 +35,8 @@ struct AxisValues {
 /// Reads one axis of a sweep, in any of four forms. {from, to, count}: count evenly spaced values, both ends
 /// included, in either direction; `to` may be left out for count 1; with `scale: log` neighbours have equal
 /// ratios. {from, to, step}: each value is the double nearest to its decimal. {values: [...]}: any order
-/// without repetition. A number: a single value. Empty after a problem. Written values must be in `range`,
-/// and are divided by `units_per_si` before the axis is spaced.
+/// without repetition. A number: a single value. Empty after a problem. Written values must be in `range`;
+/// they are divided by `units_per_si` before the axis is spaced.
 AxisValues read_axis(const yaml::Value& value, const model::Range& range, double units_per_si = 1);
 
 /// Keys of an axis as a map, and form of an axis, which may also be a number.
@@ -52,14 +52,14 @@ void print_axis_values(yaml::Printer& printer, const std::vector<double>& values
 inline constexpr std::array<std::string_view, 3> key_axis_names{"x", "y", "z"};
 
 /// Reads `sweep.x`, `sweep.y`, `sweep.z`: {key: PATH} or {keys: [PATH, ...], factors: [...]}, with values as
-/// any other axis has them. Does not check that the keys exist and accept the values: vary_keys does so
-/// later, as it needs the whole configuration.
+/// in any other axis. Whether the keys exist and accept the values is checked later by vary_keys, because
+/// this check needs the whole configuration.
 std::vector<sweep::KeyAxis> read_key_axes(yaml::Section& sweep);
 
-/// Reads keys, factors and values of one axis from a section that may have other keys, too.
+/// Reads keys, factors and values of one axis from a section that may also have other keys.
 sweep::KeyAxis read_key_axis(yaml::Section& section);
 
-/// Keys of an axis over keys, without those of its values, and how they exclude each other.
+/// Keys of an axis over keys, except those for its values, and how they exclude each other.
 std::vector<keys::Key> key_axis_keys();
 std::vector<keys::Choice> key_axis_choices();
 

@@ -51,7 +51,7 @@ bool is_empty(const model::BodyState& body) {
   return empty;
 }
 
-/// Whether a key is allowed only beside robustness: probability.
+/// Whether a key is allowed only with robustness: probability.
 bool is_of_neighbours(std::string_view name) { return name.starts_with("robustness_"); }
 
 void refuse_contradictions(const yaml::Section& section, const response::motion::ResponseOptions& options) {
@@ -98,7 +98,7 @@ keys::Form response_form() {
 void print_response(yaml::Printer& printer, const sweep::Study& study) {
   printer.open("response");
   print_fields(printer, study.response);
-  // Printed only where they have an effect, so that configurations of other maps stay unchanged.
+  // Printed only where they have an effect, so that the configurations of other maps do not change.
   sweep::Study::visit_fields(study, [&](std::string_view name, const auto& field, const auto& key) {
     if (is_of_neighbours(name) && study.robustness != sweep::Robustness::probability) return;
     if (name != "hertz_iterations" || study.hertz_iterations > 0) printer.field(name, field, key);
@@ -204,7 +204,8 @@ void print_start(yaml::Printer& printer, const model::Start& start) {
   printer.close();
 }
 
-/// Refuses friction that sticks beside torsion: no solver can let the stop hold a surface that twists.
+/// Refuses sticking friction together with torsion: no solver can compute a stop that holds a twisting
+/// surface.
 void refuse_dry_friction_beside_torsion(const yaml::Value& stops, const model::Machine& machine) {
   const model::RotorKit* kit = model::kit_of(machine);
   if (kit == nullptr || !kit->torsion) return;

@@ -7,7 +7,7 @@
 
 namespace rubsweep::config::study {
 
-/// Reads `study`: the quantity that is determined in every cell besides its motion.
+/// Reads `study`: the quantity that is determined in every cell in addition to its motion.
 void read_study_kind(const yaml::Value& value, sweep::Study& study);
 
 keys::Form study_form();

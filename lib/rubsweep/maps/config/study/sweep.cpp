@@ -43,7 +43,7 @@ void refuse_rated_speed(yaml::Section& sweep) {
   }
 }
 
-/// Refuses unsorted values beside `refine`: a refined map compares neighbours.
+/// Refuses unsorted values together with `refine`, because a refined map compares neighbours.
 void refuse_disorder(const yaml::Section& section, const sweep::Grid& grid) {
   if (const auto axis = sweep::disordered_axis(grid)) {
     section.refuse_together("refine", {"refine"}, fmt::format("beside values of {} in no order", *axis),
@@ -71,8 +71,9 @@ void refuse_speeds_beyond_tables(const yaml::Section& section, const sweep::Grid
   }
 }
 
-/// Prints an axis of speeds or unbalances under the key in which it was written, or `si_key`. Printed values
-/// must read back as the same numbers: SI units are used where decimals of the other unit do not suffice.
+/// Prints an axis of speeds or unbalances under the key in which it was written, or under `si_key`. Printed
+/// values must read back as the same numbers: SI units are used where decimals in the other unit do not
+/// suffice.
 void print_place_axis(yaml::Printer& printer, std::string_view si_key, const sweep::WrittenAxis& written,
                       const std::vector<double>& values, AxisPrint how) {
   const bool as_written = how == AxisPrint::as_written;
@@ -160,7 +161,7 @@ sweep::Grid read_sweep(const yaml::Value& value, const model::Machine& machine) 
   if (grid.refinement) refuse_disorder(section, grid);
   section.refuse_unknown_keys();
   std::string product = fmt::format("{} x {}", grid.speed_hz.size(), grid.unbalance.size());
-  // As a double, since the product of five long axes may exceed an integer.
+  // Computed as a double, since the product of five long axes may exceed the range of integers.
   auto cells = static_cast<double>(grid.speed_hz.size()) * static_cast<double>(grid.unbalance.size());
   for (const sweep::KeyAxis& axis : grid.axes) {
     product += fmt::format(" x {}", axis.values.size());

@@ -24,8 +24,8 @@ inline constexpr std::array speed_keys{std::string_view("speed_hz"), speed_rpm_k
 void read_speeds(yaml::Section& sweep, sweep::Grid& grid);
 
 /// Reads one of `whirl_ratio`, `eccentricity_m`, `unbalance_g_mm` and `balance_grade_mm_per_s` of `sweep`
-/// into measure and values of `grid`. The last two are converted to eccentricities that are the same in all
-/// cells. The mass of the rotor converts an unbalance (see model/balance.hpp). A grade is converted at the
+/// into measure and values of `grid`. The last two are converted to eccentricities, which are the same in all
+/// cells. An unbalance is converted with the mass of the rotor (see model/balance.hpp), a grade with the
 /// rated speed, `rated_speed_hz` or `rated_speed_rpm`.
 void read_unbalance(yaml::Section& sweep, const model::Machine& machine, sweep::Grid& grid);
 
@@ -33,7 +33,8 @@ void read_unbalance(yaml::Section& sweep, const model::Machine& machine, sweep::
 sweep::WrittenAxis in_rpm();
 sweep::WrittenAxis in_g_mm(double units_per_metre);
 
-/// Key of `sweep` whose eccentricities depend on the mass of the rotor; empty where there is none.
+/// Key of `sweep` whose values are converted to eccentricities with the mass of the rotor; empty where there
+/// is none.
 std::string_view key_by_mass(const yaml::Node& sweep, const model::Machine& machine);
 
 inline constexpr std::size_t max_cells = 4'000'000;

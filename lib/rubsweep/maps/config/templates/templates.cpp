@@ -5,7 +5,7 @@
 namespace rubsweep::config::templates {
 namespace {
 
-/// Replaces the first line of a template, which names the schema by its path in the repository.
+/// First line of a template as written; it replaces the line with the schema's path in the repository.
 constexpr std::string_view head =
     "# yaml-language-server: $schema=rubsweep.schema.json\n"
     "# An editor completes and checks by that schema: rubsweep --schema > rubsweep.schema.json\n";

@@ -22,9 +22,9 @@ extern const std::array<Text, text_count> texts;
 /// Kinds of machines that have a template: one_side, both_sides, annular, rotor_kit, ross.
 std::vector<std::string_view> template_names();
 
-/// Complete configuration for a template name, with comments that say where each number comes from. Its first
-/// line names the schema rubsweep.schema.json beside it. Empty for any name that template_names does not
-/// list.
+/// Complete configuration for a template name, with comments on the source of each number. Its first line
+/// names the schema rubsweep.schema.json in the same directory. Empty for any name that template_names does
+/// not list.
 std::optional<std::string> template_text(std::string_view name);
 
 }  // namespace rubsweep::config::templates

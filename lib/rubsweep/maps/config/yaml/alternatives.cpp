@@ -21,7 +21,7 @@ bool holds(const Way& way, std::string_view key) {
   return needs(way, key) || std::ranges::count(way.optional, key) > 0;
 }
 
-/// Whether some way is `of` these keys.
+/// Whether `of` holds for any of the choice's ways.
 bool any_way(const Choice& choice, auto&& of) { return std::ranges::any_of(choice.ways, of); }
 
 bool exclude_each_other(const Choice& choice, std::string_view a, std::string_view b) {
@@ -33,7 +33,7 @@ bool exclude_each_other(const Choice& choice, std::string_view a, std::string_vi
          !any_way(choice, [&](const Way& way) { return stands(way, a) && stands(way, b); });
 }
 
-/// Whether a key that stood beside `gone` is of no use beside `written`.
+/// Whether a key was used together with `gone` and is of no use together with `written`.
 bool goes_with(const Choice& choice, std::string_view key, std::string_view gone, std::string_view written) {
   return any_way(choice, [&](const Way& way) { return holds(way, key) && holds(way, gone); }) &&
          (any_way(choice, [&](const Way& way) { return holds(way, written) && !holds(way, key); }) ||
@@ -56,7 +56,8 @@ void drop_other_ways(const Choice& choice, std::string_view written, Node& map) 
   };
   const std::vector<Dropped> excluded =
       drop_if([&](std::size_t i) { return exclude_each_other(choice, written, map.keys[i].text); });
-  // A key of another override than the key that is gone stays: it was not written for that one.
+  // A key stays if another override than that of the removed key wrote it, since it was then written for
+  // something else.
   drop_if([&](std::size_t i) {
     const int from = map.keys[i].place.override_index;
     return std::ranges::any_of(excluded, [&](const Dropped& gone) {

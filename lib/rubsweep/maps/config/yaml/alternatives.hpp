@@ -10,21 +10,21 @@
 
 namespace rubsweep::config::yaml {
 
-/// Keys of maps that exclude each other (stribeck and coefficient, values and from/to/count, ...), as the
-/// form of a configuration says: a value written over a map replaces them.
+/// Keys of maps that exclude each other (stribeck and coefficient, values and from/to/count, ...), taken from
+/// the form of a configuration. A value written over a map replaces the keys that it excludes.
 class Alternatives {
  public:
   /// Nothing excludes anything.
   Alternatives() = default;
   explicit Alternatives(const keys::Form& root);
 
-  /// Removes from a map the keys that exclude the key `written`, and of those that stood beside them the ones
-  /// that it does not need: `static` of a curve goes with the rest of the curve. Which kind of map it is its
-  /// keys tell: the one that knows most of them.
+  /// Removes from a map the keys that the key `written` excludes, and the keys that were useful only with
+  /// them: `static` is removed together with the rest of a friction curve. The kind of the map is the one
+  /// that knows most of its keys.
   void drop(Node& map, std::string_view written) const;
 
  private:
-  /// Keys of one kind of map, and what of them is one of several.
+  /// Keys of one kind of map, and its choices between them.
   struct Kind {
     std::vector<std::string> keys;
     std::vector<keys::Choice> choices;
@@ -41,7 +41,7 @@ void drop_entry(Node& map, std::size_t index);
 /// Adds a problem for every repeated key of the map at `path`.
 void refuse_repeated_keys(const Node& map, std::string_view path, Diagnostics& diagnostics);
 
-/// Leaves only the first of equal keys in a map. Called after they were reported, so that they are not
+/// Keeps only the first of equal keys in a map. Called after the repetition was reported, so that it is not
 /// reported twice.
 void drop_repeated_keys(Node& map);
 

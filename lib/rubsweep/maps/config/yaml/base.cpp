@@ -42,7 +42,8 @@ void write_over(Node& base, Node::Key key, Node item, std::string_view path, con
   }
 }
 
-/// A key of `over` without a value removes the same key of `base`. Done before alternative keys are removed.
+/// A key of `over` without a value removes the same key of `base`. This is done before alternative keys are
+/// removed.
 void take_back(Node& base, Node& over) {
   for (std::size_t i = over.keys.size(); i-- > 0;) {
     const std::size_t index = index_of(base, over.keys[i].text);
@@ -74,7 +75,7 @@ class Resolver {
   Resolver(const Alternatives& alternatives, Diagnostics& diagnostics)
       : alternatives_(alternatives), diagnostics_(diagnostics) {}
 
-  /// `chain`: identities of the files from the root down to `file`, each named by the one before it.
+  /// `chain`: identities of the files from the root to `file`; each file names the next one as its base.
   void resolve(Node& node, const std::string& path, const fs::path& file, std::vector<fs::path>& chain) {
     for (std::size_t i = 0; i < node.items.size(); ++i) {
       const std::string name = node.kind == Node::Kind::map ? child_path(path, node.keys[i].text)
@@ -107,7 +108,7 @@ class Resolver {
     return name;
   }
 
-  /// Content of the file that `name` names, with its own bases resolved; empty after a problem was added.
+  /// Content of the file named by `name`, with its own bases resolved; empty after a problem was added.
   std::optional<Node> read(const Value& name, const std::string& path, const fs::path& file,
                            std::vector<fs::path>& chain) {
     const auto text = read_text(name);
@@ -137,7 +138,7 @@ class Resolver {
     } else if (chain.size() > static_cast<std::size_t>(max_base_generations)) {
       refuse(name, "too many bases of bases", fmt::format("at most {}", max_base_generations));
     } else if (++files_ > max_base_files) {
-      // Reported only for the first base above the limit.
+      // The problem is reported only once, for the first base above the limit.
       if (files_ == max_base_files + 1)
         refuse(name, "too many bases", fmt::format("at most {} in all", max_base_files));
     } else {
@@ -149,8 +150,8 @@ class Resolver {
   bool is_map(const Node& node, const std::string& path) {
     if (node.kind == Node::Kind::map) return true;
     const std::string found = node.kind == Node::Kind::null ? "the file is empty" : describe(node);
-    const SourcePosition top{
-        -1, 1, 1, node.place.file};  // in an empty file a place after the last line would be of no use
+    const SourcePosition top{-1, 1, 1,
+                             node.place.file};  // an empty file has no useful place after its last line
     diagnostics_.add(node.kind == Node::Kind::null ? top : node.place, path, found + " and no base", "a map");
     return false;
   }

@@ -17,8 +17,8 @@ struct FileBytes {
   std::string problem;  ///< empty: none
 };
 
-/// Bytes of a configuration file; at most one more than a document may have, so that the reader sees the
-/// excess.
+/// Bytes of a configuration file, at most one byte more than the largest document, so that the reader notices
+/// a file that is too large.
 FileBytes read_bytes(const std::filesystem::path& file,
                      batch::InputKind kind = batch::InputKind::regular_file);
 
@@ -44,9 +44,10 @@ inline constexpr int max_base_files = 100;       ///< file reads for one configu
 inline constexpr int max_base_generations = 16;  ///< length of a chain of bases: a base of a base of ...
 
 /// Replaces every map of `root`, itself included, that has the key `base`: the map is written over the
-/// content of that file (see merged), which may have bases of its own. A path is relative to the file that
-/// names it; `file` is the file of `root`. A base that is unusable (no text, unreadable, no map, leading back
-/// to itself, above the limits) is a problem at the place that names it. Returns false after such a problem.
+/// content of that file (see merged), which may have bases itself. A path is relative to the file in which it
+/// stands; `file` is the file of `root`. A base that cannot be used (no text, unreadable, no map, leading
+/// back to itself, above the limits) is a problem at the place that names it. Returns false after such a
+/// problem.
 bool resolve_bases(Node& root, const std::filesystem::path& file, const Alternatives& alternatives,
                    Diagnostics& diagnostics);
 

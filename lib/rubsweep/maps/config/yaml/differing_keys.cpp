@@ -48,7 +48,7 @@ Values values_of(std::string_view yaml) {
   return values;
 }
 
-/// Part of a text around the first difference, since long lists may begin alike.
+/// Part of a text around its first difference, since long lists may begin with equal numbers.
 std::string excerpt(const std::string& text, std::size_t first_difference) {
   constexpr std::size_t lead = 20, longest = 50;
   const std::size_t begin = text.size() <= longest || first_difference <= lead ? 0 : first_difference - lead;

@@ -51,7 +51,7 @@ SourcePosition place_of(const YAML::Mark& mark, const Source& source) {
 }
 
 /// Builds the tree from yaml-cpp's events. YAML::Load does not suffice: it shares aliased nodes, so that an
-/// override of one would change the other. It also ignores a second document and has no limits.
+/// override of one node would also change the other. It also ignores a second document and has no limits.
 class YamlTreeBuilder : public YAML::EventHandler {
  public:
   explicit YamlTreeBuilder(const Source& source) : source_(source) {}
@@ -159,7 +159,7 @@ class YamlTreeBuilder : public YAML::EventHandler {
     parent.items.push_back(std::move(node));
   }
 
-  /// Refuses a key that is a number without a value behind a number, as in `{mass_kg: 0,8}`: YAML reads
+  /// Refuses a key that is a number without a value and follows a number, as in `{mass_kg: 0,8}`: YAML reads
   /// mass_kg: 0 and a key 8.
   static void refuse_decimal_comma(const Node& map) {
     if (map.items.empty() || map.items.back().kind != Node::Kind::scalar || map.items.back().quoted) return;
@@ -199,7 +199,7 @@ void refuse_unreadable(std::string_view text, const Source& source) {
 
 Node parse(std::string_view text, const Source& source) {
   refuse_unreadable(text, source);
-  // Without an explicit end of the document yaml-cpp accepts a quote that is never closed.
+  // Without an explicit end of the document, yaml-cpp accepts a missing closing quote.
   std::istringstream stream(std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n"));
   YAML::Parser parser(stream);
   YamlTreeBuilder builder(source);
@@ -215,15 +215,15 @@ struct InvisibleCause {
 };
 
 /// Whether YAML expects a blank or nothing after `before`: at the begin of a line, or after a sign such as a
-/// colon. Within a text any character may stand.
+/// colon. Inside a text any character is allowed.
 bool wants_a_blank(std::string_view before) {
   const std::size_t last = before.find_last_not_of(" \t");
   return last == std::string_view::npos ||
          std::string_view(":-,[{").find(before[last]) != std::string_view::npos;
 }
 
-/// First tab in an indentation, or first character that looks like a blank but is none to YAML. Searches up
-/// to the line in which the parser gave up.
+/// First tab in an indentation, or first character that looks like a blank but is no blank in YAML. Searches
+/// up to the line in which the parser stopped.
 std::optional<InvisibleCause> invisible_cause(std::string_view text, const YAML::Mark& error) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());

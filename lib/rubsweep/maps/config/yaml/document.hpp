@@ -27,7 +27,7 @@ struct Node {
   std::vector<Node> items{};  ///< values of a list or a map
 };
 
-/// Limits that keep any input, hostile ones included, within small time and memory.
+/// Limits that keep time and memory small for any input, even a hostile one.
 inline constexpr std::size_t max_document_bytes = 16'000'000;
 inline constexpr std::size_t max_document_depth = 32;
 inline constexpr std::size_t max_document_nodes = 100'000;

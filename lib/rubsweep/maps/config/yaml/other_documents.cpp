@@ -69,8 +69,8 @@ class TreeCopy {
 };
 
 /// Place of the first key with too many parts, or of the first bracket nested too deeply. For a long key,
-/// toml++ would make one table inside another for each part, and overflow the stack when it destroys them.
-/// Strings and comments are skipped.
+/// toml++ would nest one table for each part, and its destructor would overflow the stack. Strings and
+/// comments are skipped.
 std::optional<SourcePosition> too_deep(std::string_view text, int file) {
   std::size_t parts = 1, brackets = 0, line_begin = 0;
   int line = 1;
@@ -108,8 +108,8 @@ std::size_t depth_of(const Node& node) {
   return depth;
 }
 
-/// Counts lines and columns of the characters that the parser takes, and keeps the place of the last
-/// non-blank one.
+/// Counts lines and columns of the characters read by the parser, and stores the place of the last one that
+/// is not blank.
 struct Cursor {
   int line = 1, column = 0;  ///< place of the last character taken
   int seen_line = 1, seen_column = 1;

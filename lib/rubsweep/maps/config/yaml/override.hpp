@@ -11,9 +11,9 @@
 namespace rubsweep::config::yaml {
 
 /// Applies `key.path=value` strings in order. The value is YAML, and items of lists are given by number from
-/// 0. Missing maps and keys on the way are created; the reader later refuses unknown ones. The place of a
-/// value written here is the index of its override. Writing a key removes the keys beside it that exclude it
-/// (stribeck and coefficient, values and from/to/count, ...). An override that cannot be applied becomes a
+/// 0. Missing maps and keys on the path are created; the reader later refuses unknown keys. The place of a
+/// value written here is the index of its override. Writing a key removes keys of the same map that exclude
+/// it (stribeck and coefficient, values and from/to/count, ...). An override that cannot be applied becomes a
 /// problem and changes no value.
 void apply_overrides(Node& root, const std::vector<std::string>& overrides, const Alternatives& alternatives,
                      Diagnostics& diagnostics);

@@ -15,8 +15,8 @@
 namespace rubsweep::config::yaml {
 
 /// Writes YAML in block style, two spaces a level, with the shortest doubles that read back the same.
-/// yaml-cpp's emitter has the same layout, but it leaves the byte 0x7f bare, which no YAML file may hold. It
-/// also writes U+FFFD instead of an error for bytes that are not UTF-8.
+/// yaml-cpp's emitter has the same layout, but it writes the byte 0x7f, which is forbidden in YAML files,
+/// unescaped. For bytes that are not UTF-8 it writes U+FFFD instead of throwing an error.
 class Printer {
  public:
   void number(std::string_view name, double value);
@@ -25,8 +25,8 @@ class Printer {
   void integer(std::string_view name, long value);
   void word(std::string_view name, std::string_view value);
 
-  /// Prints a text plain where it reads back so, else in double quotes. Throws ConfigError where `value` is
-  /// not UTF-8, as no YAML file can hold it.
+  /// Prints a text without quotes where it then reads back as the same text, otherwise in double quotes.
+  /// Throws ConfigError where `value` is not UTF-8, as no YAML file can hold it.
   void text(std::string_view name, std::string_view value);
 
   /// Prints lines of plain text as a block; the last line ends with a line end, too.

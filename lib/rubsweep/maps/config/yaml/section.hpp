@@ -18,10 +18,10 @@ namespace rubsweep::config::yaml {
 class Section {
  public:
   /// Refuses repeated keys, and a value that is not a map: such a section finds no key and requires none.
-  /// `allowed` describes in words what may stand there.
+  /// `allowed` describes the possible content in words.
   explicit Section(const Value& value, std::string_view allowed = "a map");
 
-  /// False where the value is not a map; then no problem of its contents need be reported.
+  /// False where the value is not a map; problems of its contents then need not be reported.
   bool is_map() const { return value_.node.kind == Node::Kind::map; }
 
   /// First value under this key, or empty. Makes the key a known one.
@@ -91,12 +91,13 @@ class Section {
   /// Refuses every key that was never looked for. Call it last.
   void refuse_unknown_keys() const;
 
-  /// Reports a problem of several keys together under `name`, at the last place of the keys `involved`.
+  /// Reports a problem that several keys cause together. It is reported under `name`, at the place of the
+  /// last of the keys `involved`.
   void refuse_together(std::string_view name, std::initializer_list<std::string_view> involved,
                        std::string_view wrong, std::string_view allowed) const;
 
-  /// True as long as the value is a map in which nothing has been refused. Only then can its fields be
-  /// checked together.
+  /// True as long as the value is a map in which nothing was refused. Only then can its fields be checked
+  /// together.
   bool is_sound() const { return is_map() && value_.diagnostics.count() == problems_before_; }
 
  private:

@@ -76,7 +76,7 @@ bool names_non_finite(std::string_view word) {
 enum class ControlCharacters { none, tabs_and_line_ends };
 
 /// Appends the first character or stray byte of `text` in a form that is safe for a terminal, and returns its
-/// length in bytes. `\xNN` replaces control characters except the `kept` ones, and bytes that are not UTF-8.
+/// length in bytes. `\xNN` replaces bytes that are not UTF-8, and control characters except the `kept` ones.
 /// This includes U+0080 to U+009F, which terminals obey like escape sequences. `text` must not be empty.
 std::size_t append_shown(std::string& result, std::string_view text, ControlCharacters kept) {
   const std::size_t length = utf8_length(text);

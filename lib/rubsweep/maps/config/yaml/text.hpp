@@ -34,8 +34,8 @@ std::string escaped(std::string_view bytes);
 /// tab and line ends. Empty when there is none.
 std::optional<std::size_t> first_unreadable_byte(std::string_view text);
 
-/// `text` made fit for one line of a message: control characters and stray bytes become `\xNN`, and the text
-/// is cut after about `longest` bytes.
+/// `text` in a form that fits one line of a message: control characters and stray bytes become `\xNN`, and
+/// the text is cut after about `longest` bytes.
 std::string shown(std::string_view text, std::size_t longest = 60);
 
 /// Dotted path of the child `name` of `path`, fit for a message.
@@ -56,8 +56,8 @@ std::string printable(std::string_view text);
 void say(const std::string& text);
 
 /// Name out of `names` that `word` most probably means. This is the shortest name that only adds a unit to
-/// `word` ("mass" -> "mass_kg"), else the name with the smallest edit distance (insert, delete, replace: 1
-/// each). The first listed wins if several are equal. Empty where no name is within a third of its own
+/// `word` ("mass" -> "mass_kg"), or else the name with the smallest edit distance (insert, delete, replace: 1
+/// each). Of several equally near names the first one wins. Empty where no name is within a third of its own
 /// length.
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> names);
 

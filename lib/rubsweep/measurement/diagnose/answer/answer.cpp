@@ -36,7 +36,7 @@ std::vector<NumberInterval> numbers_of(const std::vector<inference::QuantityMarg
   return numbers;
 }
 
-/// Weights of a candidate's cases: their posterior weights, or equal weights where too few resemble the
+/// Weights of a candidate's cases: their posterior weights, or equal weights where too few cases resemble the
 /// recording.
 Eigen::ArrayXd speaking_weights(const Diagnosis& diagnosis, std::size_t candidate) {
   constexpr double fewest = 10;
@@ -47,7 +47,7 @@ Eigen::ArrayXd speaking_weights(const Diagnosis& diagnosis, std::size_t candidat
   return weight;
 }
 
-/// Features that separate the two likeliest candidates most, if each feature is normally distributed.
+/// Features that best separate the two likeliest candidates, on the assumption of normal distributions.
 std::vector<DecidingFeature> deciding_features(const Diagnosis& diagnosis,
                                                const features::DescribedMotion& seen, std::size_t first,
                                                std::size_t second) {
@@ -91,7 +91,8 @@ MotionLines shown(const DiagnosisProblem& problem, const Diagnosis& diagnosis, s
   return lines;
 }
 
-/// Cases with the smallest unexplained share of the recording, among those with the largest weights.
+/// Cases that leave the smallest share of the recorded energy unexplained, among the cases with the largest
+/// weights.
 std::vector<BestMotion> best_motions(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
                                      const MotionLines& recorded) {
   constexpr std::size_t looked_at = 25, most = 3;

@@ -12,7 +12,8 @@ namespace rubsweep::diagnose::answer {
 /// A simulated motion fitted onto a recorded one.
 struct Overlay {
   MotionLines simulated{};  ///< scaled, rotated, phases counted from the recording's mark, m
-  double unexplained = 0;   ///< share of the recorded energy that the simulated motion leaves, from 0 to 1
+  /// share of the recorded energy that the simulated motion does not explain, from 0 to 1
+  double unexplained = 0;
 };
 
 /// Fits a simulated motion onto the recorded one: scales it to the same size, shifts its start by the shaft
@@ -33,10 +34,10 @@ struct CandidateAnswer {
   double probability = 0;  ///< probability, with "none of these" among the alternatives
   std::vector<NumberInterval>
       numbers{};  ///< parameters if this is the cause; empty for no_rub, or if no case is similar
-  std::optional<double> standard_error{};  ///< given where more motions would change the probability
+  std::optional<double> standard_error{};  ///< empty where more motions would not change the probability
 };
 
-/// A feature of the recording beside its weighted means and spreads in the cases of the two likeliest
+/// A feature of the recording, with its weighted means and spreads in the cases of the two likeliest
 /// candidates.
 struct DecidingFeature {
   std::string name;
@@ -65,8 +66,8 @@ struct Answer {
   std::vector<CandidateAnswer> candidates{};  ///< sorted by probability, the likeliest first
   double none = 0, p_value = 1;
   std::optional<double> none_standard_error{};
-  bool size_fits = true;  ///< whether some simulated motion may have the size of the recording
-  bool clipped = false;   ///< a probe saturates, which no rotor does: `none` is then 1
+  bool size_fits = true;  ///< whether at least one simulated motion can have the size of the recording
+  bool clipped = false;   ///< a probe saturates; no rotor motion explains that, so `none` is 1
   bool stands_still = false, interrupted = false;
   int rounds = 0;
   std::size_t cases = 0;
@@ -75,7 +76,7 @@ struct Answer {
   std::vector<inference::NextMeasurement> next{};
 };
 
-/// Puts an answer together. `recorded`: the lines of the recording.
+/// Builds the answer for the user. `recorded`: the lines of the recording.
 Answer answer_of(const inference::DiagnosisProblem& problem, const inference::Diagnosis& diagnosis,
                  const features::DescribedMotion& seen, const MotionLines& recorded, RecordingFacts facts,
                  std::vector<inference::NextMeasurement> next);

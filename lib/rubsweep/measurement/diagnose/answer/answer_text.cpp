@@ -50,8 +50,8 @@ std::string first_line(const Answer& answer) {
                      words_for(first.cause));
 }
 
-/// Whether the interval of an angle tells nothing: the 95 % interval of a uniform distribution is 342 degrees
-/// wide.
+/// Whether the interval of an angle contains no information: the 95 % interval of a uniform distribution is
+/// 342 degrees wide.
 bool is_any_direction(const NumberInterval& angle_deg) {
   constexpr double nearly_all_deg = 320;
   const double arc_deg = angle_deg.high_95 - angle_deg.low_95;

@@ -46,7 +46,8 @@ Array before(const Array& x) {
   return shifted;
 }
 
-/// Kurtosis and skewness of the second difference: a contact force bends the signal sharply.
+/// Kurtosis and skewness of the second difference, which is large where a contact force bends the signal
+/// sharply.
 void add_bends(const std::string& name, const ArrayXd& x, Features& features) {
   const ArrayXd bend = after(x) - 2 * x + before(x);
   const double size = std::max(std::sqrt(bend.square().mean()), 1e-300);
@@ -54,7 +55,8 @@ void add_bends(const std::string& name, const ArrayXd& x, Features& features) {
   add(features, "skewness of acceleration " + name, (bend / size).cube().mean());
 }
 
-/// Phase of a line as a complex number with magnitude below 1: small for a weak line, 0 for an absent one.
+/// Phase of a line as a complex number of magnitude below 1; the magnitude is small for a weak line and 0 for
+/// an absent line.
 class Arrows {
  public:
   explicit Arrows(const MotionLines& lines) : lines_(lines), visible_(0.01 * size_of(lines)) {}

@@ -19,12 +19,12 @@ Features orbit_features(const Eigen::VectorXcd& waveform);
 /// Features of the signal of a single probe: its moments and its extent.
 Features signal_features(const Eigen::VectorXd& waveform);
 
-/// Phases of the lines relative to each other as points inside the unit circle; the points of weak lines lie
-/// near the centre. `plane`: two probes; else the motion is real.
+/// Phases of the lines relative to each other, as points inside the unit circle. The points of weak lines lie
+/// near its centre. `plane`: true with two probes; with one probe the motion is real.
 Features phase_features(const MotionLines& lines, bool plane);
 
-/// A motion described for comparisons: features that depend on neither its size nor its direction, and beside
-/// them its size and direction.
+/// Description of a motion for comparisons: features that do not depend on size or direction, and in addition
+/// size and direction.
 struct DescribedMotion {
   Features features{};
   double size_m = 0;         ///< root mean square about the mean
@@ -33,13 +33,16 @@ struct DescribedMotion {
 
 /// Parts of a recording that can be interpreted.
 struct View {
-  bool plane = true;        ///< two probes; else one, and only lines from order 0 on count
-  bool directions = false;  ///< the machine is anisotropic, so directions carry information
-  bool from_rest = false;   ///< readings count from the rest position, so their mean carries information
+  /// true: two probes; false: one probe, and only lines of order 0 and above are used
+  bool plane = true;
+  bool directions = false;  ///< whether the machine is anisotropic, so that directions carry information
+  /// whether readings are measured from the rest position, so that their mean carries information
+  bool from_rest = false;
 };
 
-/// Features of the lines and of the orbit. `view.directions` adds the directions, from +x, of the longest and
-/// the lopsided axis; `view.from_rest` adds the mean position in units of the motion's size.
+/// Features of the lines and of the orbit. With `view.directions`, the directions of the longest and of the
+/// lopsided axis, measured from +x, are features, too. With `view.from_rest`, so is the mean position in
+/// units of the motion's size.
 DescribedMotion describe(const MotionLines& lines, const View& view,
                          response::spectrum::SpectrumWorkspace& workspace);
 

@@ -11,7 +11,7 @@ namespace rubsweep::diagnose::features {
 namespace {
 
 constexpr double smallest_energy = 1e-7;  ///< share of the energy below which a line counts as absent
-constexpr int most_fraction = 5;          ///< fractions of the speed from 1/2 to 1/5
+constexpr int most_fraction = 5;          ///< fractions of the speed: 1/2 down to 1/5
 
 double logarithm(double share) { return std::log10(std::max(share, smallest_energy)); }
 
@@ -31,7 +31,7 @@ void add_fractions(const HannEnergy& energy, Features& features) {
   }
 }
 
-/// Energy between the multiples of the shaft speed: all of it, the backward part, and the part below 1X.
+/// Energy between the multiples of the shaft speed: the total, the backward part, and the part below 1X.
 void add_rest(const HannEnergy& energy, Features& features) {
   double forward = 0, backward = 0, slow = 0;
   for (int k = energy.first(); k <= energy.last(); ++k) {
@@ -44,7 +44,7 @@ void add_rest(const HannEnergy& energy, Features& features) {
   add(features, "energy below 1X", logarithm(slow));
 }
 
-/// The two strongest lines between the multiples.
+/// The two strongest lines that are not near a multiple of the shaft speed.
 void add_strongest(const HannEnergy& energy, Features& features) {
   std::vector<int> found;
   for (int rank = 1; rank <= 2; ++rank) {
@@ -60,9 +60,9 @@ void add_strongest(const HannEnergy& energy, Features& features) {
 /// Distance of an order to the nearest whole number.
 double off_whole(double order) { return std::abs(order - std::round(order)); }
 
-/// Two measures of the strongest line between the multiples. One is the energy there that lies on none of its
-/// sidebands, at whole orders plus or minus its own order; the other is its width. Both are small for a
-/// fraction or a torus, large for chaos and for several causes.
+/// Two measures of the strongest line between the multiples of the shaft speed: the energy there that lies
+/// outside its sidebands (whole orders plus or minus its order), and its width. Both measures are small for a
+/// fraction or a torus, and large for chaos and for several causes.
 void add_sidebands(const HannEnergy& energy, Features& features) {
   const int best = strongest_between_multiples(energy, {});
   const double fraction = off_whole(order_of_line(energy, best));
@@ -83,7 +83,8 @@ void add_sidebands(const HannEnergy& energy, Features& features) {
   add(features, "width of line 1 between multiples", seen ? logarithm(1 - narrow / near) : 0);
 }
 
-/// Energy of even multiples over odd ones: two equal stops on opposite sides make no even multiples.
+/// Energy of even multiples divided by that of odd multiples; two equal stops on opposite sides excite no
+/// even multiples.
 void add_parity(const HannEnergy& energy, Features& features) {
   double even = 0, odd = 0;
   constexpr int most_multiple = 7;

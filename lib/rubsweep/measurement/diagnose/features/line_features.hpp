@@ -18,9 +18,9 @@ using Features = std::vector<Feature>;
 
 void add(Features& features, std::string name, double value);
 
-/// Energy of every line after a Hann window, as a share of the whole energy; the window keeps energy between
-/// two lines together. Line k has order k / turns(). `plane`: two probes; else the motion is real, and only
-/// lines from order 0 on count.
+/// Energy of every line after a Hann window, as a share of the whole energy. With the window, energy that
+/// lies between two lines stays close to them. Line k has order k / turns(). `plane`: true with two probes;
+/// with one probe the motion is real, and only lines of order 0 and above are used.
 class HannEnergy {
  public:
   HannEnergy(const MotionLines& lines, bool plane);
@@ -50,10 +50,10 @@ int strongest_between_multiples(const HannEnergy& energy, const std::vector<int>
 /// neighbours'.
 double order_of_line(const HannEnergy& energy, int k);
 
-/// Features of the full spectrum. They are shares of the energy at multiples of the shaft speed, forward and
-/// backward, at its fractions 1/2 to 1/5 and at other orders, the strongest of these lines with its
-/// sidebands, and the noise between the lines. Shares are decimal logarithms. `plane`: two probes; else the
-/// motion is real.
+/// Features of the full spectrum, as decimal logarithms of shares of the energy: at multiples of the shaft
+/// speed (forward and backward), at its fractions 1/2 to 1/5, at other orders, in the strongest of these
+/// lines with its sidebands, and in the noise between the lines. `plane`: true with two probes; with one
+/// probe the motion is real.
 Features line_features(const MotionLines& lines, bool plane);
 
 }  // namespace rubsweep::diagnose::features

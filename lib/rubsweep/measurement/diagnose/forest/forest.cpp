@@ -30,8 +30,8 @@ struct Split {
   double purity = 0;  ///< sum over both nodes of (sum of squared label weights) / weight; larger is purer
 };
 
-/// Weight and number of samples of every label on both sides of a split of one feature. They are added up bin
-/// by bin to find the best split.
+/// Weight and number of samples of every label on both sides of a split of one feature. The sums grow bin by
+/// bin, so that all splits are compared in one pass.
 class SplitSearch {
  public:
   SplitSearch(const LabelledSamples& samples, const std::vector<double>& weight, int least_leaf)
@@ -197,7 +197,7 @@ LinearDiscriminants::LinearDiscriminants(const LabelledSamples& samples) {
       (samples.features.rowwise() - middle_).array().square().colwise().mean().sqrt() + least_deviation;
   const Eigen::MatrixXd rows = standard(samples.features), mean = means_of(samples, rows);
   Eigen::MatrixXd covariance = covariance_within(samples, rows, mean);
-  // A ridge on the diagonal: the covariance of linearly dependent features is singular.
+  // Ridge added to the diagonal, because the covariance of linearly dependent features is singular.
   constexpr double ridge = 0.01;
   covariance.diagonal().array() += ridge;
   axes_ = numerics::dense::CholeskyFactors(covariance).solve(Eigen::MatrixXd(mean.transpose()));

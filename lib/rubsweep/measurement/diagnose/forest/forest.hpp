@@ -88,13 +88,13 @@ struct ForestOptions {
   int trees = 200;
   int least_leaf = 3;
   std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: one thread per processor; decides no result
+  int threads = 0;  ///< 0: one thread per processor; does not change the result
 };
 
-/// Random forest (Breiman 2001) as the kernel of approximate Bayesian computation. Samples come from the
-/// priors; those that share leaves with an observation represent its posterior, both of the candidate (Pudlo
-/// et al. 2016) and of the machine's parameters (Raynal et al. 2019). Linear discriminant functions of the
-/// labels are further features, as Pudlo et al. advise.
+/// Random forest (Breiman 2001) as the kernel of approximate Bayesian computation. The samples come from the
+/// priors. Samples that share leaves with an observation represent its posterior, both of the candidate
+/// (Pudlo et al. 2016) and of the machine's parameters (Raynal et al. 2019). Linear discriminant functions of
+/// the labels are further features, as Pudlo et al. advise.
 class Forest {
  public:
   Forest(const LabelledSamples& samples, const ForestOptions& options);
@@ -111,7 +111,7 @@ class Forest {
   Eigen::MatrixXd out_of_bag_probabilities() const;
 
  private:
-  /// `features`: with the discriminant functions. Trees that drew the sample `without` are left out.
+  /// `features` include the discriminant functions. Trees that drew the sample `without` are left out.
   Eigen::VectorXd weights(const Eigen::VectorXd& features, int without) const;
 
   LinearDiscriminants discriminants_;

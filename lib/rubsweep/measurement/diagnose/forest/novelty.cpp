@@ -28,7 +28,8 @@ Novelty::Novelty(const Eigen::MatrixXd& cases, int threads)
   for (Eigen::Index j = 0; j < cases.cols(); ++j) {
     const std::vector<double> values(cases.col(j).begin(), cases.col(j).end());
     middle_(j) = quantile(values, 0.5);
-    // A nearly constant feature still tells something in the few cases where it differs.
+    // Smallest spread of a feature: a feature that is nearly constant is informative in the few cases where
+    // it differs.
     constexpr double least_share = 0.05;
     const double all = std::sqrt((cases.col(j).array() - middle_(j)).square().mean());
     spread_(j) = std::max({quantile(values, 0.84) - quantile(values, 0.16), least_share * all, 1e-12});

@@ -25,7 +25,7 @@ double mean_direction_deg(const Eigen::VectorXd& values, const Eigen::VectorXd& 
   return std::arg(sum) * 180 / pi;
 }
 
-/// Total shares of the cases with one value in the posterior and in the prior.
+/// Share of the posterior and share of the prior that all cases with one value have together.
 struct ValueShare {
   double value = 0, posterior = 0, prior = 0;
 };
@@ -42,13 +42,13 @@ std::vector<ValueShare> sorted_shares(std::vector<ValueShare> cases) {
   return merged;
 }
 
-/// Point of the map from the prior's cumulative probability to that of the posterior.
+/// Point of the map from the cumulative probability of the prior to that of the posterior.
 struct Knot {
   double prior = 0, posterior = 0;
 };
 
-/// `count` equal cases at even steps of the posterior, at their plotting positions. Cases with the same value
-/// are spread evenly over the prior share of that value.
+/// Replaces the cases by `count` cases of equal weight, at even steps of the posterior (their plotting
+/// positions). Cases with the same value are spread evenly over the prior share of this value.
 std::vector<Knot> knots_of(const std::vector<ValueShare>& shares, int count) {
   std::vector<Knot> knots{{0, 0}};
   double prior = 0, posterior = 0;
@@ -78,7 +78,7 @@ struct QuantityCases {
 };
 
 /// Rank of a value among others, from 0 to 1. Equal values, such as the time share of a contact that never
-/// ends, cover an interval of ranks; `fraction` gives the place inside this interval.
+/// ends, cover an interval of ranks; `fraction` selects a point of this interval.
 double rank_in(const Marginal& marginal, double value, double fraction) {
   const double below = marginal.probability_below(value);
   return below + fraction * (marginal.probability_up_to(value) - below);

@@ -8,19 +8,19 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// Number of equal cases that are as informative as cases of these weights: (sum w)^2 / sum w^2 (Kish 1965);
-/// 0 where all weights are zero.
+/// Number of equally weighted cases that carry the same information: (sum w)^2 / sum w^2 (Kish 1965). It is 0
+/// where all weights are zero.
 double effective_cases(const Eigen::VectorXd& weight);
 
-/// Marginal posterior distribution of a quantity, estimated from weighted cases. The cases are replaced by n
-/// equal ones at even steps of their weights, n being effective_cases rounded. The true value is equally
+/// Marginal posterior distribution of a quantity, estimated from weighted cases. They are replaced by n cases
+/// of equal weight at even steps of the posterior; n is effective_cases, rounded. The true value is equally
 /// likely in each of the n + 1 gaps: the i-th smallest case is the i / (n + 1) quantile (Weibull's plotting
 /// positions). Within each gap the distribution has the shape of the prior.
 class Marginal {
  public:
-  /// `values`: finite. `weight`: posterior weight of every case, at least one > 0. `prior`: prior weight of
-  /// every case, > 0 wherever `weight` is; values that no case has are impossible. `angle`: values are
-  /// degrees; the circle is cut opposite to their mean direction.
+  /// `values`: finite. `weight`: posterior weight of every case; at least one is > 0. `prior`: prior weight
+  /// of every case, > 0 wherever `weight` is > 0. Values that occur in no case are impossible. `angle`:
+  /// values are degrees; the circle is cut opposite to their mean direction.
   Marginal(const Eigen::VectorXd& values, const Eigen::VectorXd& weight, const Eigen::VectorXd& prior,
            bool angle);
 
@@ -30,13 +30,15 @@ class Marginal {
   /// Value at which the cumulative probability reaches `share`, from 0 to 1.
   double quantile(double share) const;
 
-  /// Distribution narrowed about the median for `beta` > 1, widened for `beta` < 1. Its cumulative
-  /// probability is that of a symmetric beta distribution with parameter `beta`, taken at the present one.
+  /// The distribution narrowed about the median for `beta` > 1, and widened for `beta` < 1. The new
+  /// cumulative probability is that of a symmetric beta distribution with parameter `beta`, at the old
+  /// cumulative probability.
   Marginal beta_transformed(double beta) const;
 
  private:
-  double from_middle(double value) const;  ///< difference of an angle from the middle; else the value itself
-  double before(std::ptrdiff_t k) const;   ///< probability of the first k values
+  /// for an angle, its difference from the middle; otherwise the value itself
+  double from_middle(double value) const;
+  double before(std::ptrdiff_t k) const;  ///< total probability of the first k values
 
   bool angle_;
   double middle_deg_ = 0;        ///< mean direction
@@ -55,9 +57,9 @@ struct QuantityMarginal {
 double beta_of_ranks(const Eigen::VectorXd& ranks, const Eigen::VectorXd& weight);
 
 /// Marginal posteriors of the candidate's quantities, provided that the candidate is the cause; empty where
-/// its cases have no weight. The posterior is averaged over many trees, and a mean of correct distributions
-/// is too wide. It is narrowed by a beta transform (Gneiting, Ranjan 2013). The transform is fitted to the
-/// ranks of similar cases, each ranked by the trees that did not draw it.
+/// its cases have no weight. A posterior averaged over many trees is too wide, since a mean of correct
+/// distributions is. A beta transform therefore narrows it (Gneiting, Ranjan 2013). The transform is fitted
+/// to the ranks of similar cases, each computed from the trees that did not draw the case.
 std::vector<QuantityMarginal> marginals_of(const DiagnosisProblem& problem, const CaseSet& set,
                                            const ObservedCases& observed, const Posterior& posterior,
                                            const features::DescribedMotion& seen, std::size_t candidate,

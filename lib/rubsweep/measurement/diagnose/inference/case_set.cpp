@@ -13,7 +13,7 @@
 namespace rubsweep::diagnose::inference {
 namespace {
 
-/// Smallest kernel width in the unit cube: narrower kernels would only repeat their cases.
+/// Smallest kernel width in the unit cube: draws from a narrower kernel would almost repeat its case.
 constexpr double least_deviation = 0.02;
 
 /// Share of the prior's density that a kernel may leave out.
@@ -29,7 +29,8 @@ double gaussian(double x, double deviation) {
   return std::exp(-x * x / (2 * deviation * deviation)) / (deviation * std::sqrt(2 * std::numbers::pi));
 }
 
-/// Density of the folded kernel: both ends act as mirrors, and only the nearest mirror images matter.
+/// Density of the folded kernel. Both ends reflect it like mirrors, and only the nearest mirror images
+/// matter.
 double folded_density(double x, double centre, double deviation) {
   double sum = 0;
   for (const double image : {centre, -centre, 2 - centre, centre - 2, centre + 2})
@@ -37,7 +38,8 @@ double folded_density(double x, double centre, double deviation) {
   return sum;
 }
 
-/// Draws simulated as one batch. Drawing ends after a whole batch, so the number of threads decides nothing.
+/// Draws simulated as one batch. Drawing ends only after a whole batch, so the number of threads does not
+/// change the result.
 constexpr int draws_together = 128;
 
 /// Simulates draws and keeps the successful ones as cases, in the order of the draws.

@@ -18,12 +18,12 @@ namespace rubsweep::diagnose::inference {
 /// 2009), reflected at the faces of the cube. Known numbers keep their values.
 class Proposal {
  public:
-  /// `weight` of each centre; not all zero.
+  /// `weight`: weights of the centres, not all zero.
   Proposal(const Candidate& candidate, std::vector<Point> centres, std::vector<double> weight);
 
   Point draw(RandomStream& random) const;
 
-  /// Density relative to the prior's, which is 1 everywhere.
+  /// Density relative to the prior, whose density is 1 everywhere.
   double density(const Point& unit) const;
 
  private:
@@ -35,14 +35,15 @@ class Proposal {
 
 /// How many motions are simulated.
 struct CaseOptions {
-  int cases_per_candidate = 600;    ///< rubbing cases per candidate, drawn from the priors
-  int most_draws_per_case = 30;     ///< limit of the mean; candidates that rub too rarely get fewer cases
-  int threads = 0;                  ///< 0: one thread per processor; decides no result
+  int cases_per_candidate = 600;  ///< rubbing cases per candidate, drawn from the priors
+  /// limit of the mean number of draws; candidates that rub too rarely get fewer cases
+  int most_draws_per_case = 30;
+  int threads = 0;                  ///< 0: one thread per processor; does not change the result
   const std::atomic<bool>* stop{};  ///< true: no new draw begins
   std::function<void(std::size_t done, std::size_t all)> on_cases{};  ///< progress; one call at a time
 };
 
-/// Draws from one density, whose rubbing motions were kept as cases.
+/// Draws from one density; their rubbing motions are kept as cases.
 struct Draws {
   std::size_t candidate = 0;
   long count = 0;                      ///< number of draws, including those without a rub
@@ -55,18 +56,18 @@ struct CaseSet {
   std::vector<Draws> draws{};
 };
 
-/// Draws from the priors until every candidate has its cases or has used up its draws. The result depends on
-/// the problem, cases_per_candidate and most_draws_per_case alone.
+/// Draws from the priors until every candidate has its cases or has used up its allowed draws. The result
+/// depends on the problem, cases_per_candidate and most_draws_per_case alone.
 CaseSet prior_cases(const DiagnosisProblem& problem, const CaseOptions& options);
 
-/// Adds the rubbing cases among `count` draws from a proposal. `round`: 1 or more; each round draws other
-/// numbers.
+/// Draws `count` times from a proposal and adds the rubbing cases. `round`: 1 or more; each round uses other
+/// random numbers.
 void add_proposed_cases(const DiagnosisProblem& problem, std::size_t candidate, const Proposal& proposal,
                         int count, int round, const CaseOptions& options, CaseSet& set);
 
-/// Weight of every case: prior density divided by the mixed density of all draws of its candidate
-/// (deterministic mixture; Owen, Zhou 2000). The weights of each candidate are scaled to add up to its prior
-/// probability; a candidate without cases has no weight.
+/// Weight of every case: density of the prior divided by the mean density of all draws of its candidate
+/// (deterministic mixture; Owen, Zhou 2000). The weights of each candidate add up to its prior probability; a
+/// candidate without cases has no weight.
 Eigen::VectorXd importance_weights(const DiagnosisProblem& problem, const CaseSet& set);
 
 }  // namespace rubsweep::diagnose::inference

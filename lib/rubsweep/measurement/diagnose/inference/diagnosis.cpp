@@ -70,7 +70,8 @@ std::optional<Proposal> proposal_of(const DiagnosisProblem& problem, std::size_t
   return Proposal(problem.candidates[candidate], std::move(centres), std::move(shares));
 }
 
-/// Number of draws in a round: most for likely candidates, some for every candidate that is still possible.
+/// Number of draws of a candidate in a round: most for likely candidates, a few for every candidate that is
+/// still possible.
 int draws_of(double probability, int all) {
   constexpr double possible = 0.01;
   if (probability < possible) return 0;
@@ -124,7 +125,7 @@ Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMot
   const int threads = options.cases.threads;
   for (int round = 0;; ++round) {
     observe_cases(problem, diagnosis.set, threads, diagnosis.observed);
-    diagnosis.posterior.forest.reset();  // two forests of many cases are large
+    diagnosis.posterior.forest.reset();  // the two forests of many cases need much memory
     diagnosis.posterior = posterior_of(problem, diagnosis.set, diagnosis.observed, seen, threads);
     diagnosis.history.push_back(diagnosis.posterior.probability);
     if (round > 0) {

@@ -11,9 +11,10 @@
 namespace rubsweep::diagnose::inference {
 
 /// Standard errors of the candidates' probabilities, then of "none of these", due to the limited number of
-/// cases. They are standard deviations of the log odds between answers from halves of the cases (delete-half
-/// jackknife; Shao, Wu 1989), times p (1 - p) of the answer from all cases. Halves give less certain answers,
-/// and the scatter near 0 and 1 depends on p; log odds avoid both. `posterior`: the answer from all cases.
+/// cases. They come from answers to random halves of the cases (delete-half jackknife; Shao, Wu 1989): the
+/// standard deviation of the log odds times p (1 - p), with p from all cases. Log odds are used because
+/// halves give less certain answers, and because the scatter of p itself shrinks near 0 and 1. `posterior`:
+/// the answer from all cases.
 Eigen::VectorXd sampling_errors(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
                                 const Posterior& posterior, int threads);
@@ -23,29 +24,30 @@ struct DiagnosisOptions {
   int most_rounds = 3;              ///< rounds of draws near cases that resemble the recording
   int draws_per_round = 800;        ///< draws per round, for all candidates together
   bool with_standard_error = true;  ///< computes standard errors where the probabilities still change
-  double least_change = 0.03;       ///< change of a probability that calls for another round
+  double least_change = 0.03;       ///< a smaller change of all probabilities ends the rounds
 };
 
 /// Result of a diagnosis with everything it is based on.
 struct Diagnosis {
   CaseSet set{};
   ObservedCases observed{};
-  Posterior posterior{};                                   ///< posterior; its forest is dropped at the end
+  Posterior posterior{};                                   ///< posterior; at the end its forest is deleted
   std::vector<std::vector<QuantityMarginal>> marginals{};  ///< marginals_of for every candidate
   std::vector<Eigen::VectorXd> history{};  ///< probabilities of the candidates after each round
   double p_value = 1;                      ///< result of p_value_of
-  bool stands_still = false;               ///< no probability changed by least_change in the last round
-  Eigen::VectorXd standard_error{};        ///< sampling_errors if the probabilities still change, or empty
+  /// whether the last round changed no probability by least_change or more
+  bool stands_still = false;
+  Eigen::VectorXd standard_error{};  ///< sampling_errors; empty if the probabilities no longer change
 };
 
-/// Compares a recording with simulated cases of all candidates. The cases are first drawn from the priors
-/// (`set`: cases already at hand, else prior_cases) and then near those that resemble the recording, until
-/// the probabilities settle (population Monte Carlo; Cappé et al. 2004). When interrupted, it answers from
-/// the cases drawn by then.
+/// Compares a recording with simulated cases of all candidates. The first cases are drawn from the priors (or
+/// are those of `set`, if given). Later cases are drawn near those that resemble the recording, until the
+/// probabilities settle (population Monte Carlo; Cappé et al. 2004). An interrupted diagnosis answers from
+/// the cases drawn so far.
 Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMotion& seen,
                    const DiagnosisOptions& options, std::optional<CaseSet> set = {});
 
-/// Weights of the cases of one candidate, zero for all others.
+/// Weights of all cases, with zeros for the cases of other candidates.
 Eigen::VectorXd weights_of(const Diagnosis& diagnosis, std::size_t candidate);
 
 }  // namespace rubsweep::diagnose::inference

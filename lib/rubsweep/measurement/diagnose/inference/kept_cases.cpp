@@ -29,7 +29,7 @@ void put(std::string& bytes, Number number) {
   bytes.append(raw, sizeof number);
 }
 
-/// Reads binary numbers one after the other; `whole` becomes false where the bytes end too early.
+/// Reads binary numbers one after another; `whole` becomes false where the bytes end too early.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : left_(bytes) {}

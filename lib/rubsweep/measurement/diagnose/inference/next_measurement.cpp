@@ -17,7 +17,7 @@ namespace rubsweep::diagnose::inference {
 namespace {
 
 constexpr int cases_together = 240;  ///< number of cases that are simulated again
-constexpr double possible = 0.02;    ///< smallest probability with which a candidate counts
+constexpr double possible = 0.02;    ///< candidates with a smaller probability are ignored
 
 /// Entropy of a discrete distribution, in bits.
 double entropy(const Eigen::VectorXd& probability) {
@@ -47,7 +47,7 @@ std::vector<std::size_t> draw_cases(const Diagnosis& diagnosis) {
   return drawn;
 }
 
-/// Motion of a case's machine under another measurement: a rub or, where it does not rub, the quiet whirl.
+/// Motion of a case's machine under another measurement: its rub, or its quiet whirl where it does not rub.
 std::optional<LastingMotion> run_again(const DiagnosisProblem& problem, const SimulatedCase& one,
                                        response::spectrum::SpectrumWorkspace& workspace) {
   const Candidate& candidate = problem.candidates[one.candidate];
@@ -102,7 +102,7 @@ double information_of(const DiagnosisProblem& changed, const Diagnosis& diagnosi
   double left = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     now(samples.label[k]) += 1.0 / static_cast<double>(rows.size());
-    // With so few cases the forest's probabilities are limited from below.
+    // With so few cases the forest cannot tell smaller probabilities from zero.
     constexpr double least = 0.01;
     left -= std::log2(std::max(least, told(static_cast<Eigen::Index>(k), samples.label[k])));
   }

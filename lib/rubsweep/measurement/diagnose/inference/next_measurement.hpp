@@ -13,11 +13,12 @@ struct NextMeasurement {
   double information_bits = 0;  ///< expected information about the cause, bits
 };
 
-/// Possible further measurements, the most informative first: another speed, a longer record, a second probe
-/// where there was one. Cases that resemble the recording are simulated under the new measurement, and a
-/// forest grown on their features classifies those that its trees did not draw. The result is the entropy of
-/// the probabilities now minus the remaining one (expected information; Lindley 1956). At another speed the
-/// unbalance stays the same and the kick happens again. Empty where nothing can be learned.
+/// Possible further measurements, the most informative first: another speed, a longer recording, a second
+/// probe in addition to a single one. Cases that resemble the recording are simulated under the new
+/// measurement. A forest is grown on their features, and its trees classify the cases that they did not draw.
+/// The information is the entropy of the present probabilities minus the remaining entropy (expected
+/// information; Lindley 1956). At another speed the unbalance stays the same and the kick is repeated. Empty
+/// where nothing can be learned.
 std::vector<NextMeasurement> next_measurements(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
                                                int threads);
 

@@ -53,7 +53,8 @@ class Vibration {
     }
   }
 
-  /// Adds a component along one line across the shaft, `direction` radians from +x, in place of an ellipse.
+  /// Adds a component along a straight line across the shaft, `direction` radians from +x, instead of an
+  /// ellipse.
   void add_along(double order, double amplitude, double direction, RandomStream& random) {
     const double phase = 2 * pi * random.uniform();
     for (std::size_t k = 0; k < z_.size(); ++k) {
@@ -85,7 +86,7 @@ std::vector<double> wandering(std::size_t samples, RandomStream& random) {
   return angle;
 }
 
-/// Adds whole multiples of the shaft speed: a single one, or a series of decreasing amplitude.
+/// Adds whole multiples of the shaft speed: one multiple, or a series of decreasing amplitude.
 void add_multiples(Vibration& vibration, double amplitude, RandomStream& random) {
   if (random.uniform() < 0.5) {
     const double order = 2 + std::floor(4 * random.uniform());
@@ -99,7 +100,7 @@ void add_multiples(Vibration& vibration, double amplitude, RandomStream& random)
   }
 }
 
-/// Adds a component of any order, forced or self-excited; harmonic and sidebands are each present or not.
+/// Adds a component of any order, forced or self-excited; it may have a harmonic and sidebands.
 void add_free_order(Vibration& vibration, double amplitude, RandomStream& random) {
   const double order = random.uniform() < 0.5 ? 0.2 + 0.8 * random.uniform() : 1 + 4 * random.uniform();
   const Whirl whirl =
@@ -126,9 +127,9 @@ void add_oil_whirl(Vibration& vibration, double amplitude, RandomStream& random)
   vibration.add(order, amplitude, near_circle(true, random), wandered, random);
 }
 
-/// Adds the vibration of a loose support, or of one that is stiffer to one side. Its stiffness changes along
-/// one direction, in which the shaft vibrates at multiples of its speed, sometimes of half its speed, with
-/// decreasing amplitudes (Muszynska and Goldman, Chaos, Solitons and Fractals 5, 1995).
+/// Adds the vibration of a support that is loose or stiffer to one side. The stiffness changes along one
+/// direction. In this direction the shaft vibrates at multiples of its speed, sometimes of half its speed,
+/// with decreasing amplitudes (Muszynska and Goldman, Chaos, Solitons and Fractals 5, 1995).
 void add_directional_series(Vibration& vibration, RandomStream& random) {
   const double direction = 2 * pi * random.uniform();
   const double decay = between_logarithms(0.05, 0.7, random);

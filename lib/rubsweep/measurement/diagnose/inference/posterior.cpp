@@ -17,7 +17,7 @@
 namespace rubsweep::diagnose::inference {
 namespace {
 
-/// Least width of a size interval, in decades: cases have discrete sizes, and some must fall into the
+/// Smallest width of a size interval, in decades. The simulated sizes are discrete, and some must lie in the
 /// interval.
 constexpr double least_decades = 0.08;
 
@@ -30,15 +30,16 @@ Spread widened(const Spread& spread) {
   return {spread.low / factor, spread.high * factor, true};
 }
 
-/// Share of the range of whirl ratios at which a quiet whirl of this radius lies within the range of
-/// clearances. The shape of a quiet whirl is the same at all whirl ratios.
+/// Share of the range of whirl ratios for which a quiet whirl of this radius lies within the range of
+/// clearances. A quiet whirl has the same shape at all whirl ratios.
 double share_of_whirl_ratios(const Spread& ratios, const Spread& clearances, double radius_m) {
   const double low = std::max(ratios.low, radius_m / clearances.high),
                high = std::min(ratios.high, radius_m / clearances.low);
   return low < high ? decades({low, high}) / decades(ratios) : 0;
 }
 
-/// Smallest probability of a candidate: with this number of cases a forest cannot tell less from zero.
+/// Smallest probability of a candidate: with this number of cases a forest cannot tell smaller values from
+/// zero.
 constexpr double least_probability = 1e-3;
 
 /// Raises probabilities to a power and normalises them.
@@ -47,9 +48,9 @@ Eigen::RowVectorXd sharpened(const Eigen::RowVectorXd& probability, double power
   return raised / raised.sum();
 }
 
-/// Power, at most 1, that maximises the likelihood of the true candidates of cases, judged by trees that did
-/// not draw them (temperature scaling; Guo et al. 2017). Few trees judge a case that way, so they are less
-/// certain than the whole forest. A power above 1 would therefore make the whole forest too certain.
+/// Power, at most 1, that maximises the likelihood of the true candidates of the cases (temperature scaling;
+/// Guo et al. 2017). Each case is judged by the trees that did not draw it. These are few, so they are less
+/// certain than the whole forest, and a power above 1 would make the whole forest too certain.
 double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>& label,
                       const Eigen::VectorXd& weight) {
   const auto loss = [&](double power) {
@@ -73,7 +74,7 @@ double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>&
   return (low + high) / 2;
 }
 
-/// Mean position of a vibration of another cause, in units of its 1X amplitude: a load may displace the
+/// Mean position of a vibration of another cause, in units of its 1X amplitude; a load may have displaced the
 /// shaft.
 std::complex<double> mean_of_another_cause(std::uint64_t seed, std::uint64_t index) {
   RandomStream random(seed, index, DrawPurpose::of_mean);
@@ -194,7 +195,7 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
   for (Eigen::Index i = 0; i < weight.size(); ++i)
     share(samples.label[static_cast<std::size_t>(i)]) += weight(i);
-  // The recording resembles no case and no vibration of another cause: it counts as "none of these".
+  // The recording resembles neither a case nor a vibration of another cause, so it counts as "none of these".
   if (share.sum() == 0) share(samples.classes - 1) = 1;
   posterior.sharpness =
       best_sharpness(posterior.forest->out_of_bag_probabilities(), samples.label, samples.weight);

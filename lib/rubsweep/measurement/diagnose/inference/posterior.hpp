@@ -9,22 +9,24 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// Weight of a case by its size: density of the logarithm of the size at the recording's size, relative to a
-/// density by the candidate's clearances alone. The clearances are uniform in their logarithm: those that
-/// give the recording's size count alike, others not at all. A quiet whirl counts by its whirl ratios
-/// instead. A known unbalance restricts the size of a case as well.
+/// Weight of a case by its size: the density of the logarithm of its size, taken at the recording's size,
+/// relative to a density that depends on the candidate's clearances alone. The logarithms of clearances are
+/// uniform, so all clearances that give the recording's size have equal weight, and others none. For a quiet
+/// whirl, the whirl ratios take the place of the clearances. A known unbalance restricts the size of a case
+/// as well.
 double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
                        double seen_size_m);
 
 /// Probabilities after a recording was compared with the cases.
 struct Posterior {
-  Eigen::VectorXd probability{};   ///< probability of every candidate, provided that one of them is the cause
-  Eigen::VectorXd weight{};        ///< weight of every case; those of a candidate add up to its probability
+  Eigen::VectorXd probability{};  ///< probability of every candidate, provided that one of them is the cause
+  /// weight of every case; the weights of a candidate add up to its probability
+  Eigen::VectorXd weight{};
   Eigen::VectorXd importance{};    ///< weight of every case, proportional to importance_weights
   Eigen::VectorXd size_density{};  ///< density_of_size of every case
   std::shared_ptr<const forest::Forest> forest{};  ///< forest that gave the weights
   double none = 0;                                 ///< probability that none of the candidates is the cause
-  double sharpness = 1;  ///< power that calibrates the probabilities of cases which a tree did not draw
+  double sharpness = 1;  ///< power that calibrates the probabilities (see best_sharpness)
 };
 
 /// Cases as the instrument measures them, one row of features per case.
@@ -42,8 +44,8 @@ void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int thre
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
                        const features::DescribedMotion& seen, int threads);
 
-/// Share of the simulated cases that are at least as far apart from the others as the recording is
-/// (forest::Novelty). This check does not depend on the posterior.
+/// Share of the simulated cases whose apartness is at least that of the recording (forest::Novelty). This
+/// check does not depend on the posterior.
 double p_value_of(const CaseSet& set, const ObservedCases& observed, const features::DescribedMotion& seen,
                   int threads);
 

@@ -30,16 +30,16 @@ inline constexpr std::array all_quantities{
 /// Name with its unit, such as clearance_m or stop_angle_deg.
 std::string_view to_string(Quantity quantity);
 
-/// Whether a candidate has this quantity: without a rub there is none, a round stop about the rest position
-/// has no direction, and a Jeffcott rotor has no positions along the shaft.
+/// Whether a candidate has this quantity. Without a rub there are no quantities; a round stop about the rest
+/// position has no direction; a Jeffcott rotor has no positions along the shaft.
 bool has_quantity(const DiagnosisProblem& problem, std::size_t candidate, Quantity quantity);
 
 /// Equivalent angle in [-180, 180].
 double wrapped_deg(double angle_deg);
 
 /// Value of the quantity in every case, after the case was scaled and rotated to the recording. With two
-/// probes, or on an anisotropic machine, stop angles count from +x, in [-180, 180]. Else they count from the
-/// direction of the single probe.
+/// probes, or on an anisotropic machine, stop angles are measured from +x, in [-180, 180]. Otherwise they are
+/// measured from the direction of the single probe.
 Eigen::VectorXd values_in_cases(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
                                 Quantity quantity);

@@ -23,13 +23,13 @@ std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std:
     auto motion = asked.cause == Cause::no_rub
                       ? motion_without_contact(machine, problem.speed_hz, unbalance, problem.turns, workspace)
                       : rubbing_motion(machine, problem.speed_hz, unbalance, problem.turns, workspace);
-    // Depths scale with the clearance, as all lengths do, so their ratio does not change.
+    // The penetration scales with the clearance, as all lengths do, so the ratio does not change.
     if (!motion || penetration_ratio(asked.cause, values, clearance_m, motion->contact.peak_contact_force_n) >
                        usual_penetration_ratio)
       return std::nullopt;
     return SimulatedCase{.candidate = candidate, .unit = unit, .motion = *std::move(motion)};
   } catch (const ConfigError&) {
-    // Each of these numbers is allowed, but their combination is not.
+    // Each of these numbers is allowed, but the machine that they make together is not.
     return std::nullopt;
   }
 }

@@ -14,7 +14,7 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// Everything that decides with which motions a recording is compared.
+/// Everything that decides which motions are compared with a recording.
 struct DiagnosisProblem {
   std::vector<Candidate> candidates{};  ///< candidates; their natural frequency and damping are the machine's
   std::vector<double> prior{};  ///< probability of each candidate if one of them is the cause; the sum is 1
@@ -43,14 +43,15 @@ struct SimulatedCase {
   std::size_t candidate = 0;
   Point unit{};  ///< place of its unknowns in the unit cube
   LastingMotion motion{};
-  bool proposed = false;  ///< drawn near cases that resemble a recording, not from the priors
+  /// whether the case was drawn near cases that resemble a recording, not from the priors
+  bool proposed = false;
 };
 
 /// Clearance at which cases are simulated: geometric mean of the candidate's bounds, m.
 double simulated_clearance_m(const Candidate& candidate);
 
-/// Simulates a candidate at a point of the unit cube. Empty where it does not rub (for no_rub: where it
-/// rubs), where it cannot be simulated, or where the penetration exceeds usual_penetration_ratio, which no
+/// Simulates a candidate at a point of the unit cube. Empty where the machine does not rub (for no_rub: where
+/// it rubs), where it cannot be simulated, or where the penetration exceeds usual_penetration_ratio, which no
 /// machine survives.
 std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std::size_t candidate,
                                            const Point& unit,

@@ -21,7 +21,7 @@ using Complex = std::complex<double>;
 constexpr int samples_per_turn = 256;
 
 /// Displacements of the observed point in metres at equal shaft angles over the period. Empty where nothing
-/// touches, the motion repeats earlier, or the solver fails.
+/// touches, where the motion repeats after fewer turns, or where the solver fails.
 std::vector<Complex> sampled(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
                              integrate::exact::modes::ModeCache& modes, const Eigen::VectorXd& state,
                              int turns) {
@@ -42,15 +42,15 @@ std::vector<Complex> sampled(const scene::Scene& scene, const integrate::run::So
   return record && record->touched && !sooner ? places_m : std::vector<Complex>{};
 }
 
-/// Shaft angle at which a run of the scene begins: the scene rotates the shaft's forces, so that it begins
-/// with the smallest gap.
+/// Shaft angle at which a run of the scene begins. (The scene rotates the shaft's forces, so that a run
+/// begins with the smallest gap.)
 double shaft_angle_at_start_rad(const scene::PreparedMachine& machine, const scene::Cell& cell,
                                 const AskedLines& asked) {
   const double speed_rad_per_s = 2 * std::numbers::pi * asked.speed_hz;
   Eigen::VectorXcd force =
       asked.eccentricity_m * speed_rad_per_s * speed_rad_per_s * machine.assembly.system.unbalance_kg;
   if (machine.assembly.bow_n.size() > 0) force += machine.assembly.bow_n;
-  // Without forces at 1X the force at 2X tells the angle, up to half a turn, after which it repeats.
+  // Without forces at 1X, the force at 2X gives the angle up to half a turn, after which this force repeats.
   if (force.isZero(0) && machine.assembly.second_n.size() > 0)
     return std::arg(machine.assembly.second_n.dot(cell.scene.second_harmonic_n)) / 2;
   return std::arg(force.dot(cell.scene.harmonic_n));

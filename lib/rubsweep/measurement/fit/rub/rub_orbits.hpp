@@ -13,7 +13,7 @@
 
 namespace rubsweep::fit::rub {
 
-/// Lines of a rub that a caller asks for.
+/// Spectral lines of a rub that a caller requests.
 struct AskedLines {
   double speed_hz = 0;
   double eccentricity_m = 0;
@@ -21,26 +21,26 @@ struct AskedLines {
   std::vector<double> order;  ///< multiples of 1 / turns, negative for backward whirl
 };
 
-/// Periodic rubs of machines with slightly different parameters. The first one settles from its kick. Where a
+/// Periodic rubs of machines with slightly different parameters. The first rub settles from its kick. Once a
 /// rub of the same speed and period was followed, its orbit is corrected by Newton's method on the section,
 /// with the solver's derivatives, so that the lines are smooth in the parameters. The lines depend on the
-/// followed machines only, not on other calls, their order or their threads.
+/// followed machines alone, not on other calls, their order or their threads.
 class RubOrbits {
  public:
   RubOrbits(integrate::run::SolverOptions solver, response::motion::ResponseOptions options);
 
-  /// Lines A of A e^{i order phi}, in metres, of the displacement x + iy at the observed point, phi = 0 where
+  /// Lines A of A e^{i order phi}, in metres, of the displacement x + iy at the observed point; phi = 0 where
   /// the mark of the shaft points along +x. Hertzian contacts use the secants of the configuration. Throws
   /// ConfigError where the machine does not settle on a motion in contact that repeats after exactly `turns`
   /// turns.
   Eigen::VectorXcd lines_m(const scene::PreparedMachine& machine, const AskedLines& asked) const;
 
-  /// Makes this machine's orbit the starting point for later orbits of this speed and period. Throws like
-  /// lines_m.
+  /// Makes the orbit of this machine the starting point for later orbits of the same speed and period. Throws
+  /// like lines_m.
   void follow(const scene::PreparedMachine& machine, const AskedLines& asked);
 
  private:
-  /// Section times the length scale, samples, and the shaft angle at their beginning.
+  /// Section (in metres), samples, and the shaft angle at the first sample.
   struct Orbit;
   using SpeedAndTurns = std::pair<double, int>;
 

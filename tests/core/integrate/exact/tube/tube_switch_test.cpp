@@ -38,7 +38,7 @@ TEST(TubeSwitch, TheLawsDifferByAVectorTimesTheGuard) {
   const Eigen::VectorXd b = difference * row.transpose() / row.squaredNorm();
   EXPECT_LE((difference - b * row).norm(), 1e-9 * difference.norm());
   EXPECT_NEAR(made->own_deflection, std::abs(row.dot(b.transpose())), 1e-9 * made->own_deflection);
-  // From here on the run carries b and its image under the new law.
+  // From this switch on the run carries b and the image of b under the new law.
   EXPECT_EQ(motion.tangents().size(), 10u);
 }
 

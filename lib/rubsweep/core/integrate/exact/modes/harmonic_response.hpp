@@ -20,9 +20,9 @@ inline std::complex<double> product(const std::complex<double>& a, const std::co
 }
 
 /// Response of one contact mode to one harmonic force (unbalance, or the half-sine of a kick): u =
-/// Re(amplitude e^{i rate t}); the caller keeps the phasor e^{i rate t}. The other members are the
-/// contributions to guards, forces and sliding speeds of the mode, so that the time loop computes none of
-/// these from u.
+/// Re(amplitude e^{i rate t}); the caller stores the phasor e^{i rate t}. The other members are the
+/// contributions to guards, forces and sliding speeds of the mode, so that the time loop need not compute
+/// them from u.
 template <int N>
 struct HarmonicResponse {
   using Complex = std::complex<double>;
@@ -63,7 +63,7 @@ struct HarmonicResponse {
     return turn;
   }
 
-  /// Adds an even number of Taylor coefficients of its part of guard `e`; time is in units of 1 /
+  /// Adds an even number of Taylor coefficients of its contribution to guard `e`; time is in units of 1 /
   /// fastest_rad_per_s of the mode.
   void expand(std::size_t e, const Complex& phasor, std::span<double> terms) const {
     numerics::add_terms(terms, numerics::SeriesColumn{taylor[e].col(0).data(), phasor.real()},

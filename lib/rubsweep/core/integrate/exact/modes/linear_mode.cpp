@@ -29,7 +29,7 @@ double slowest(const Matrix& stiffness) {
 /// Builds the linear mode of one joint contact mode.
 template <int N>
 class ModeBuilder {
-  /// For large structures long double costs more time than it gains.
+  /// For large structures long double costs more time than it saves.
   static constexpr bool unrounded = N != Eigen::Dynamic;
   using Number = std::conditional_t<unrounded, long double, double>;
   using LongOrDouble = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
@@ -109,10 +109,10 @@ class ModeBuilder {
   void set_steps() {
     mode_->fastest_rad_per_s = numerics::dense::spectral_radius(mode_->generator);
     // Both limits affect only the cost, because the bounds are made for any longest step. A vibration of
-    // amplitude a and rate w has the bound M = a w^2, and M t^2 / 2 exceeds 2 a, its largest possible rise,
-    // for t > 2 / w: steps much longer than a radian of the slowest vibration could not be certified. In
+    // amplitude a and rate w has the bound M = a w^2. For t > 2 / w, M t^2 / 2 exceeds its largest possible
+    // rise 2 a, so that steps much longer than a radian of the slowest vibration could not be certified. In
     // contact the fast vibration against the stop ends the mode within a few of its radians, and bounds
-    // without a modal form need a grid as fine as that. Measured for a limit of 4, 8, 16, 32, 64 radians at 8
+    // without a modal form need a grid that is as fine. Measured for a limit of 4, 8, 16, 32, 64 radians at 8
     // speeds of a map: 5.8, 4.9, 4.5, 4.3, 4.3 steps per change of mode in configs/hard_case/one_side.yaml,
     // and 9.2, 8.0, 7.7, 7.6, 8.0 in configs/rotor_kit.yaml. The first map takes 0.37, 0.35, 0.35, 0.39, 1.2
     // s, and 4 s without a limit.

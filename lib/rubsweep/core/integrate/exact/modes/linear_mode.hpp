@@ -50,8 +50,8 @@ struct LinearGuard {
   std::size_t contact = 0;
   contact::Mode next = contact::Mode::open;
   typename ExactTypes<N>::Row physical;  ///< value = physical . (u, u') - part of the clearance
-  /// Fast pairs (a ringing casing) may be replaced by their envelope, so that the slow pairs determine the
-  /// step. If no pairs are separated, all count as fast.
+  /// Fast pairs (a ringing casing) may be replaced by their envelope; the slow pairs then determine the step.
+  /// If no pairs are separated, all count as fast.
   ModalTerms terms;
   double constant = 0;  ///< value = sum of the `terms` + constant + forced part
   /// Taylor coefficients of the sum of the terms, with time in units of 1 / fastest_rad_per_s of the mode:
@@ -61,8 +61,8 @@ struct LinearGuard {
 };
 
 /// An annular stop without contact. The offset of the rotor, d = row . z + centre + forced part, is a vector
-/// of two components; the guard is reached when its length equals the clearance. `rate` gives d' from z.
-/// Multiplied by ExactMotion::sizes(), `speed_bound` and `curvature_bound` bound the lengths of the free
+/// of two components. The guard reaches zero when the length of d equals the clearance. `rate` gives d' from
+/// z. Multiplied by ExactMotion::sizes(), `speed_bound` and `curvature_bound` bound the lengths of the free
 /// vibration's parts of d' and d'' over the mode's longest step.
 template <int N>
 struct AnnularGuard {
@@ -73,7 +73,8 @@ struct AnnularGuard {
 };
 
 /// A touching contact: its normal force, for the peak, and its sliding speed, which must stay where friction
-/// is saturated. Bounds hold over the mode's longest step and are to be multiplied by ExactMotion::sizes().
+/// is saturated. The bounds hold over the mode's longest step; they must be multiplied by
+/// ExactMotion::sizes().
 template <int N>
 struct TouchWatch {
   std::size_t contact = 0;
@@ -85,11 +86,11 @@ struct TouchWatch {
   typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
   ModalTerms sliding_of_free;                      ///< the free vibration's part of the sliding speed
   typename ExactTypes<N>::Row sliding_rate_bound;  ///< bound on the free vibration's part of d sliding / dt
-  /// Empty in most modes. Where every touching contact is released, only friction, mu K p at contact k, acts
+  /// Empty in most modes. Where every touching contact is released, only friction (mu K p at contact k) acts
   /// between rotor and casings, and the penetrations p decrease. `sliding_rate_bound` then refers to the free
-  /// vibration of the structure without any contact, and friction is added as an external force. Per initial
-  /// penetration of contact k, `friction_rate[k]` is its immediate contribution to d sliding / dt, and
-  /// `friction_swing[k]` the contribution per second by the vibration that it has excited so far.
+  /// vibration of the structure without any contact, and friction is added as an external force. Both members
+  /// are per initial penetration of contact k: `friction_rate[k]` is its immediate contribution to d sliding
+  /// / dt, and `friction_swing[k]` the contribution per second by the vibration that it has excited so far.
   std::vector<double> friction_rate, friction_swing;
 };
 

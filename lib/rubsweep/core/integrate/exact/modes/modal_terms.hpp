@@ -26,8 +26,8 @@ struct ModalTerm {
   // Factors for z_u and z_v.
   numerics::Twin value{};  ///< the term is value . (z_u, z_v)
   numerics::Twin rate{};   ///< time derivative: rate . (z_u, z_v)
-  /// Bound of its second derivative over the mode's longest step from now. With a modal form it is bound[0]
-  /// |(z_u, z_v)|, where bound[1] is zero; without one, bound . (|z_u|, |z_v|).
+  /// Bound of its second derivative over the mode's longest step from now. With a modal form the bound is
+  /// bound[0] |(z_u, z_v)|, and bound[1] is zero. Without a modal form it is bound . (|z_u|, |z_v|).
   numerics::Twin bound{};
   double envelope = 0;  ///< the term is at most envelope |(z_u, z_v)|; only with a modal form
 };

@@ -30,8 +30,8 @@ inline constexpr std::size_t most_bytes_of_a_mode_cache = std::size_t{256} << 20
 /// compiled in one source.
 class ModeCache {
  public:
-  /// `most_bytes`: machines unused for longest are dropped above this size, except the requested one. A kit
-  /// of 24 states takes about 1 MB per speed, one of 200 states about 100 MB.
+  /// `most_bytes`: above this size, machines that were unused for longest are dropped, except the requested
+  /// one. A kit of 24 states takes about 1 MB per speed, a kit of 200 states about 100 MB.
   explicit ModeCache(std::size_t most_bytes = most_bytes_of_a_mode_cache);
   ModeCache(ModeCache&&) noexcept;
   ModeCache& operator=(ModeCache&&) noexcept;

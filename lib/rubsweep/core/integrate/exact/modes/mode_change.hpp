@@ -8,8 +8,8 @@ namespace rubsweep::integrate::exact::modes {
 /// Transformation of the free vibration from one contact mode to another at an unchanged state: z' = by z +
 /// constant, plus contributions of harmonic forces. A contact is as stiff as thousands of shafts, so that the
 /// rounding of a displacement of one clearance is a considerable force. But the contact depends almost only
-/// on its own fast pair of z, which is small. The transformation therefore avoids displacements: the
-/// difference of the two modes is computed in long double and only then rounded.
+/// on one pair of z, that of its own fast vibration, which is small. The transformation therefore avoids
+/// displacements: the difference of the two modes is computed in long double, and only the result is rounded.
 template <int N>
 struct ModeChange {
   typename ExactTypes<N>::Factor by;
@@ -26,7 +26,7 @@ struct HarmonicChange {
   typename ExactTypes<N>::State real, imaginary;
 };
 
-/// Computes it from the responses of both modes to the force.
+/// Computes the change from the responses of both modes to the force.
 template <int N>
 HarmonicChange<N> make_harmonic_change(const LinearMode<N>& to, const HarmonicResponse<N>& in_from,
                                        const HarmonicResponse<N>& in_to);

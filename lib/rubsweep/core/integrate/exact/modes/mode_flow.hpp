@@ -39,8 +39,8 @@ typename ExactTypes<N>::Pairs flow_of_pairs(const LinearMode<N>& mode, double du
 template <int N>
 void move_by_series(const LinearMode<N>& mode, double duration_s, typename ExactTypes<N>::State& z);
 
-/// Calls `step(k)` for table steps as long as they fit into `duration_s` and pay off: until the rest is short
-/// for a series at `fastest_rad_per_s`. Returns the rest.
+/// Calls `step(k)` for table steps as long as they fit into `duration_s` and save time: until the remaining
+/// duration is short for a series at `fastest_rad_per_s`. Returns the remaining duration.
 template <int N, class TakeStep>
 double table_steps(const LinearMode<N>& mode, double fastest_rad_per_s, double duration_s,
                    const TakeStep& step) {

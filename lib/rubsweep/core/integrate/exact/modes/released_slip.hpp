@@ -19,13 +19,14 @@ struct ReleasedSlip {
 };
 
 /// Bounds for contact `i` of a joint mode in which no contact is clamped or sprung, over at most
-/// `longest_step_s`. Such a mode has no modal form; in full matrices the penetration is a small difference of
+/// `longest_step_s`. Such a mode has no modal form. In full matrices the penetration is a small difference of
 /// large components, for which bounds by components are useless. But only friction f acts between released
 /// contacts, so that the structure moves as without contact, with f as an external force:
 ///
 ///     row . x' = row A x + row B f,   x(t) = e^{A t} x(0) + int_0^t e^{A (t - s)} B f(s) ds,
 ///
-/// and the modal form of the structure without contact bounds e^{A t}. Empty if it has no modal form.
+/// and the modal form of the structure without contact bounds e^{A t}. Empty if the structure has no modal
+/// form.
 std::optional<ReleasedSlip> released_slip(const CommonToModes& common,
                                           const std::vector<contact::Mode>& modes, std::size_t i,
                                           double longest_step_s);

@@ -11,9 +11,9 @@
 
 namespace rubsweep::integrate::exact::modes {
 
-/// Flows e^{A h} of a contact mode without pairs over the steps h of its table, as matrices. They are made
-/// when first needed, because most of a table is never used: in long double they are the most expensive part
-/// of a mode. Only one thread may use them at a time.
+/// Flows e^{A h} of a contact mode without pairs over the steps h of its table, as matrices. Each is made
+/// when first needed: computed in long double, these matrices are the most expensive part of a mode, and most
+/// of a table is never used. Only one thread may use them at a time.
 template <class Factor>
 class StepFlows {
  public:

@@ -86,8 +86,8 @@ class TubeReference {
     return exact::tube::spread_over(seen, base_, duration_s);
   }
 
-  /// Distances of the clamped contacts from p = 0. Their guards do not watch p, which is positive only
-  /// because the mode was entered from outside; a turn that starts in the mode therefore needs these margins.
+  /// Distances of the clamped contacts from p = 0. Their guards do not include p, which is positive only
+  /// because the mode was entered from outside. A turn that starts in the mode therefore needs these margins.
   std::vector<TurnTube::LimitMargin> clamped_margins() {
     const auto& contacts = motion_.machine().system().contacts;
     const State here = motion_.physical();

@@ -9,7 +9,7 @@
 namespace rubsweep::integrate::exact::tube {
 
 /// Numbers of carried disturbances that span the fast part of a tube and, after them, the slow part. The
-/// others are deflections at changes of mode.
+/// remaining disturbances are deflections at changes of mode.
 struct PartSizes {
   std::size_t fast = 0, slow = 0;
 

@@ -23,8 +23,8 @@ class TubeSwitch {
   explicit TubeSwitch(TubeReference<N>& reference) : reference_(reference), motion_(reference.motion()) {}
 
   /// Passes a change of mode. The reference is where guard `e` is zero, after a landing of `landing_s` from
-  /// the value `before`; `spread` is the spread by the disturbances over the landing. Empty where the lemma
-  /// does not hold.
+  /// the value `before`; `spread` is the spread by the disturbances over the landing. Empty where the
+  /// conditions of the lemma are not met.
   std::optional<TurnTube::Switch> through(std::size_t e, const GuardValue& before,
                                           const TurnTube::Spread& spread, double landing_s) {
     const modes::LinearMode<N>& from = motion_.mode();
@@ -66,7 +66,8 @@ class TubeSwitch {
     return change;
   }
 
-  /// Index of the present mode's guard that has just left zero; `none` unless it is the old guard reversed.
+  /// Index of the present mode's guard that has just left zero; `none` unless this guard is the old one with
+  /// the sign reversed.
   std::size_t behind() const { return behind_; }
 
  private:

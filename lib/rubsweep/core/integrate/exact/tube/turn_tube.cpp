@@ -6,8 +6,8 @@
 namespace rubsweep::integrate::exact::tube {
 namespace {
 
-// Length of windows in units of D / s, see the lemma. D leaves a tenth for the effect of the change's own
-// deflection on the guard.
+// Length of windows in units of D / s, see the lemma. A tenth of D is reserved for the effect of the change's
+// own deflection on the guard.
 constexpr double window_in_distances = 4, share_of_distance = 0.9;
 // The window is so short (Switch::longest_window_s) that the flow over it is the identity within 5 %.
 constexpr double flow_over_window = 1.05, rate_over_window = 1.1, backwards_over_window = 1.2;

@@ -14,24 +14,26 @@ struct Parts {
 };
 
 /// Bounds for all motions that start a turn near a reference motion: x(0) = reference + W y with y = (y_fast,
-/// y_slow) and |y_fast| <= radii.fast, |y_slow| <= radii.slow (Euclidean). For given radii the tube tells
+/// y_slow) and |y_fast| <= radii.fast, |y_slow| <= radii.slow (Euclidean). For given radii the tube shows
 /// whether all these motions pass the same changes of contact mode in the same order, and how much their ends
 /// can differ from the linear map about the reference, up to rounding. `turn_tubes` fills it.
 ///
 /// Lemma. Inside a mode the law is linear, and at a change of mode it is continuous: the two right-hand sides
-/// differ by b g, where g is the guard that rises through zero there. A motion near the reference therefore
-/// differs from the linear flow of its disturbance by b g integrated over the time in which one of the two is
-/// still in the old mode and the other in the new one. With |g| <= D at the reference's own crossing and a
-/// rate of at least s / 2 all around it, that time is below 2 D / s and the integral below D^2 / s. `holds`
-/// tests the conditions for this. In a window of 4 D / s about each crossing the guard rises for the whole
-/// tube: its rate s, reduced by the tube's width, the bound of the second derivative and the jump of the law,
-/// stays above s / 2. No other guard of either mode reaches zero in the window, and no friction leaves its
-/// saturation. Outside the windows every armed guard and every slip is farther from its limit than the tube
-/// is wide. Windows neither overlap nor reach the ends of the turn.
+/// differ by b g, where g is the guard that rises through zero there. For some time one of two motions (the
+/// reference and its neighbour) is still in the old mode and the other one in the new mode. The neighbour
+/// therefore differs from the linear flow of its disturbance by b g integrated over this time. If |g| <= D
+/// when the reference crosses, and the rate of g is at least s / 2 all around the crossing, this time is
+/// below 2 D / s and the integral below D^2 / s. `holds` tests the conditions. In a window of 4 D / s about
+/// each crossing the guard rises for the whole tube: its rate s, reduced by the tube's width, the bound of
+/// the second derivative and the jump of the law, stays above s / 2. No other guard of either mode reaches
+/// zero in the window, and no friction leaves its saturation. Outside the windows every armed guard and every
+/// slip is farther from its limit than the tube is wide. Windows neither overlap nor reach the ends of the
+/// turn.
 struct TurnTube {
   /// Largest deviation of a linear function of the state from its value on the reference. `width`: per unit
-  /// of either radius. `deflections`: two numbers for each earlier change of mode, per unit of the deflection
-  /// that it gave the disturbance, and per unit of that deflection times seconds of its window.
+  /// of either radius. `deflections`: two numbers for each earlier change of mode. The first is per unit of
+  /// the deflection that the change gave the disturbance, the second per unit of this deflection times
+  /// seconds of its window.
   struct Spread {
     Parts width;
     std::vector<double> deflections{};
@@ -75,13 +77,12 @@ struct TurnTube {
   /// Largest length of the fast (slow) part of end_norm DF W y, per unit of each part of y.
   Parts to_fast, to_slow;
 
-  /// Whether the tube with these radii holds. If so, for every y within t times the radii, t <= 1, both parts
-  /// of
-  ///   end_norm (F(reference + W y) - F(reference) - DF W y)
-  /// are at most deviation(radii) t^2 long. A tube that holds also holds for all smaller radii.
+  /// Whether the tube with these radii meets the conditions of the lemma. If so, for every y within t times
+  /// the radii, t <= 1, both parts of end_norm (F(reference + W y) - F(reference) - DF W y) have at most the
+  /// length deviation(radii) t^2. The conditions are then met also for all smaller radii.
   bool holds(const Parts& radii) const;
 
-  /// Bound of the deviation at the end of the turn; infinite for radii for which the tube does not hold.
+  /// Bound of the deviation at the end of the turn; infinite for radii for which holds() is false.
   Parts deviation(const Parts& radii) const;
 
  private:

@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/recording/followed_line.hpp"
+#include "rubscope/followed_line.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,9 @@
 #include <numbers>
 #include <random>
 
-namespace rubsweep::recording {
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::apps {
 namespace {
 
 using std::numbers::pi;
@@ -76,5 +78,45 @@ TEST(FollowedLine, IsNoneInNoise) {
   EXPECT_FALSE(follow_line({std::vector<double>(100, 3.0)}, 0, sampling_hz, {12, 58}));
 }
 
+TEST(FollowedLine, GivesARecordingItsTurns) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0, 1);
+  recording::Channels channels;
+  channels.channels = {{"x", "um", {}}};
+  for (int k = 0; k < 40000; ++k) {
+    const double t = k / 2000.0, turns = (12 + 1.15 * t) * t;
+    channels.channels[0].values.push_back(20 * std::cos(2 * pi * turns) + 5 * std::cos(6 * pi * turns) +
+                                          noise(random));
+  }
+  recording::Instrument instrument{
+      .sampling_rate_hz = 2000, .probes = {{"x", 0}}, .sweep = recording::Sweep{12, 58}};
+  const auto recorded = [&] {
+    const recording::FollowedTurns turns = followed_turns(channels, instrument, "f.csv");
+    return make_recording(channels, instrument, "f.csv", &turns);
+  };
+  const recording::Recording recording = recorded();
+  EXPECT_NEAR(recording.turns(), 12 * 20 + 1.15 * 400, 2);
+  EXPECT_FALSE(recording.phased);
+  ASSERT_FALSE(recording.findings.empty());
+  EXPECT_TRUE(recording.findings[0].starts_with("the speed is that of the line followed through the sweep"));
+  for (std::size_t turn = 10; turn + 10 < recording.turn_begin_s.size(); ++turn) {
+    const double middle_s = (recording.turn_begin_s[turn] + recording.turn_begin_s[turn + 1]) / 2;
+    EXPECT_NEAR(1 / (recording.turn_begin_s[turn + 1] - recording.turn_begin_s[turn]), 12 + 2.3 * middle_s,
+                0.4);
+  }
+  instrument.from_s = 10;
+  instrument.sweep = recording::Sweep{35, 58};
+  const recording::Recording second_half = recorded();
+  EXPECT_GE(second_half.turn_begin_s.front(), 10);
+  EXPECT_NEAR(1 / (second_half.turn_begin_s[1] - second_half.turn_begin_s[0]), 35, 1);
+  instrument.sweep = recording::Sweep{200, 300};
+  try {
+    recorded();
+    ADD_FAILURE();
+  } catch (const ConfigError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("f.csv: sweep: no line stands out from 200 to 300 Hz"));
+  }
+}
+
 }  // namespace
-}  // namespace rubsweep::recording
+}  // namespace rubsweep::apps

@@ -1,15 +1,24 @@
-#include "rubsweep/measurement/recording/followed_line.hpp"
+#include "rubscope/followed_line.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <numbers>
 #include <span>
 
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/numerics/straight_line.hpp"
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
+#include "rubsweep/measurement/recording/sample_clock.hpp"
 
-namespace rubsweep::recording {
+namespace rubsweep::apps {
+
+using namespace recording;
+
 namespace {
 
 using Complex = std::complex<double>;
@@ -126,20 +135,32 @@ std::vector<std::size_t> best_path(const std::vector<std::vector<double>>& spect
   return path;
 }
 
-/// Value on straight lines through the values at the middles of the windows; beyond them on the outer lines.
+/// Line through the values of the windows nearest to one, as many as lie on one window's length.
+numerics::StraightLine line_near(std::span<const double> values, std::size_t window) {
+  constexpr std::size_t points = steps_a_window + 1;
+  const std::size_t first = std::min(window - std::min(window, points / 2), values.size() - points);
+  std::array<double, points> places{};
+  for (std::size_t k = 0; k < points; ++k) places[k] = static_cast<double>(first + k);
+  return numerics::line_through(places, values.subspan(first, points));
+}
+
+/// Value between the values at the middles of the windows; beyond them on a line through the outer ones.
 double between_windows(std::span<const double> values, double place, const Windows& windows) {
   const double at = (place - windows.middle(0)) / static_cast<double>(windows.step);
-  const auto first =
-      static_cast<std::size_t>(std::clamp(std::floor(at), 0.0, static_cast<double>(values.size() - 2)));
-  const double share = at - static_cast<double>(first);
-  return (1 - share) * values[first] + share * values[first + 1];
+  if (at < 0) return values.front() + line_near(values, 0).slope * at;
+  const auto last = static_cast<double>(values.size() - 1);
+  if (at > last) return values.back() + line_near(values, values.size() - 1).slope * (at - last);
+  const auto first = std::min(static_cast<std::size_t>(at), values.size() - 2);
+  return std::lerp(values[first], values[first + 1], at - static_cast<double>(first));
 }
 
 /// Angles of the shaft in turns at all readings along a path.
 std::vector<double> angles_along(std::span<const std::size_t> path, std::size_t readings,
                                  const Windows& windows) {
-  std::vector<double> speeds_hz, turns{0};
-  for (const std::size_t bin : path) speeds_hz.push_back(windows.frequency_hz(bin));
+  std::vector<double> coarse_hz, speeds_hz, turns{0};
+  for (const std::size_t bin : path) coarse_hz.push_back(windows.frequency_hz(bin));
+  for (std::size_t window = 0; window < coarse_hz.size(); ++window)
+    speeds_hz.push_back(line_near(coarse_hz, window)(static_cast<double>(window)));
   for (std::size_t k = 1; k < readings; ++k)
     turns.push_back(turns.back() +
                     between_windows(speeds_hz, static_cast<double>(k) - 0.5, windows) / windows.rate_hz);
@@ -182,7 +203,7 @@ double scatter_of(std::span<const double> phases) {
 
 std::optional<FollowedTurns> follow_line(const std::vector<std::vector<double>>& probes, double first_s,
                                          double sampling_rate_hz, const Sweep& sweep) {
-  constexpr double stands_out = 3;  // in powers of e: 20 times the median power
+  constexpr double stands_out = 4;  // in powers of e: 55 times the median power
   const auto windows = windows_of(probes[0].size(), sampling_rate_hz, sweep);
   if (!windows) return std::nullopt;
   std::vector<std::size_t> path;
@@ -216,4 +237,34 @@ std::optional<FollowedTurns> follow_line(const std::vector<std::vector<double>>&
   return followed;
 }
 
-}  // namespace rubsweep::recording
+FollowedTurns followed_turns(const Channels& channels, const Instrument& instrument,
+                             const std::string& name) {
+  const SampleClock clock = clock_of(channels, instrument, name);
+  const auto count = static_cast<double>(channels.rows());
+  const auto place = [&](std::optional<double> t_s, double otherwise) {
+    const double at = t_s ? std::ceil((*t_s - clock.first_s) * clock.rate_hz - 1e-9) : otherwise;
+    return static_cast<std::ptrdiff_t>(std::clamp(at, 0.0, count));
+  };
+  const std::ptrdiff_t first = place(instrument.from_s, 0),
+                       end = std::max(first, place(instrument.to_s, count));
+  std::vector<std::vector<double>> probes;
+  for (const Probe& probe : instrument.probes) {
+    const std::vector<double>& values = find_channel(channels, probe.column, name).values;
+    probes.emplace_back(values.begin() + first, values.begin() + end);
+  }
+  auto turns = follow_line(probes, clock.first_s + static_cast<double>(first) / clock.rate_hz, clock.rate_hz,
+                           *instrument.sweep);
+  if (!turns)
+    throw ConfigError(
+        fmt::format("{}: sweep: no line stands out from {} to {} Hz, allowed: a line whose ends are known "
+                    "to a quarter, below half the sampling rate, in a recording of many turns",
+                    name, instrument.sweep->from_hz, instrument.sweep->to_hz));
+  turns->finding = fmt::format(
+      "the speed is that of the line followed through the sweep, known to {:.2g} Hz, angles to {:.2g} turns; "
+      "its phase, "
+      "also across a resonance, is not known",
+      turns->speed_uncertainty_hz, turns->angle_uncertainty_turns);
+  return *std::move(turns);
+}
+
+}  // namespace rubsweep::apps
