@@ -79,12 +79,12 @@ Comparison compare(const Verdict& measured, std::span<const Complex> simulated_m
   const int common = std::lcm(measured.period.value_or(1), turns);
   auto pairs = pairs_of(measured, simulated, turns, common);
   Comparison comparison{.turned_by = best_turn(pairs, common)};
-  const double noise_m = std::max(measured.noise_m, std::numeric_limits<double>::min());
   double sum = 0, left = 0, all = 0;
   for (auto& [k, pair] : pairs) {
     pair.simulated_m *= std::polar(1.0, 2 * std::numbers::pi * pair.order * comparison.turned_by);
     const double difference_m = std::abs(pair.measured_m - pair.simulated_m);
-    pair.difference = difference_m / noise_m;
+    pair.difference =
+        difference_m / std::max(measured.noise_at(pair.order), std::numeric_limits<double>::min());
     sum += pair.difference * pair.difference;
     left += difference_m * difference_m;
     all += std::norm(pair.measured_m);

@@ -9,6 +9,7 @@
 
 #include "rubscope/column_list.hpp"
 #include "rubscope/comparison.hpp"
+#include "rubscope/followed_line.hpp"
 #include "rubscope/scope_tables.hpp"
 #include "rubscope_arguments.hpp"
 #include "rubsweep/core/error.hpp"
@@ -41,6 +42,8 @@ constexpr std::array<std::string_view, 8> file_names{"turns.csv",    "orbit.csv"
 void add_comparison(const config::RunConfig& config, const CellArgument& cell,
                     const recording::Recording& recording, const scope::Verdict& verdict,
                     const model::ShownLengths& shown, batch::ResultFiles& files, std::string& summary) {
+  if (recording.place == recording::Place::casing)
+    throw ConfigError("--compare: the recording is one of a casing, allowed: one of the shaft");
   if (!verdict.period)
     throw ConfigError(
         "--compare: the recorded motion repeats after no number of turns, allowed: one that does");
@@ -60,7 +63,7 @@ int look(const RubscopeArguments& arguments) {
                           ? std::optional(config::read_cell_config(compared->config, compared->overrides))
                           : std::nullopt;
   if (config) ask("rubscope", config->questions, arguments.quiet);
-  const recording::ReadRecording read = recording::read_recording(file, arguments.instrument);
+  const recording::ReadRecording read = recording::read_recording(file, arguments.instrument, followed_turns);
   const recording::Recording& recording = read.recording;
   std::optional<WorkingTime> working(std::in_place, "rubscope", "looks at the recording", !arguments.quiet);
   count_in_summary("turns", static_cast<std::size_t>(recording.turns()));

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "rubscope/overall_values.hpp"
 #include "rubsweep/analysis/linear/ramp_resonance.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/numerics/straight_line.hpp"
@@ -66,7 +67,8 @@ std::string lines_csv(const Verdict& verdict) {
   for (const MeasuredLine& line : verdict.lines) {
     const double amplitude_m = std::abs(line.amplitude_m);
     // A line below the noise has no phase.
-    const double phase_rad = amplitude_m > verdict.noise_m ? line.uncertainty_m / amplitude_m : NAN;
+    const double phase_rad =
+        amplitude_m > verdict.noise_at(line.order) ? line.uncertainty_m / amplitude_m : NAN;
     DiscreteLine own{line.order, 0, amplitude_m, line.uncertainty_m};
     if (!verdict.period && line.order != 0) {
       const DiscreteLine* found = line_of_bin(verdict, line.order);
@@ -177,6 +179,19 @@ std::string speed_text(const Recording& recording, const std::vector<double>& sp
                      recording.sampling_rate_hz / mean_hz);
 }
 
+/// Text about readings that were integrated.
+std::string integration_text(const Recording& recording) {
+  const int times = recording.integration.times;
+  if (times == 0) return {};
+  const double lowest = recording.integration.lowest_order;
+  return fmt::format(
+      "measured  {} of the {}, integrated {}: orders below {:.3g}X ({:.3g} Hz) are lost, and so is the "
+      "centre\n",
+      times == 1 ? "velocity" : "acceleration",
+      recording.place == recording::Place::casing ? "casing" : "shaft", times == 1 ? "once" : "twice", lowest,
+      lowest * recording.mean_speed_hz());
+}
+
 std::string findings_text(const Recording& recording) {
   std::string text;
   for (const std::string& finding : recording.findings) text += fmt::format("warning   {}\n", finding);
@@ -202,8 +217,8 @@ Ramp ramp_of(const std::vector<OrderPoint>& points) {
 }
 
 /// Text about the largest 1X in one direction and, where the speed changes evenly, about its mode.
-std::string run_text(const std::vector<OrderPoint>& points, bool y, const model::ShownLengths& shown,
-                     std::string& measures) {
+std::string run_text(const std::vector<OrderPoint>& points, bool y, bool phased,
+                     const model::ShownLengths& shown, std::string& measures) {
   constexpr double even = 0.02;
   std::vector<linear::BodePoint> plot;
   for (const OrderPoint& point : points) {
@@ -215,6 +230,7 @@ std::string run_text(const std::vector<OrderPoint>& points, bool y, const model:
   std::string text = fmt::format("1X in {}    largest at {}, {}", name, model::speed_text(top->speed_hz, 5),
                                  model::amplitude_text(top->amplitude_m, shown, LengthUnit::um));
   measures += fmt::format("speed_of_largest_1x_{}_hz,{},\n", name, csv_number(top->speed_hz));
+  if (!phased) return text + "; without its phase no mode is fitted\n";
   const Ramp ramp = ramp_of(points);
   if (ramp.largest_error > even)
     return text + fmt::format("; the speed does not change evenly ({:.2g} % off), no mode is fitted\n",
@@ -238,7 +254,7 @@ ScopeTables begin_tables(const Recording& recording, const std::vector<double>& 
           .bode_csv = bode_csv(recording, orders),
           .waterfall_csv = waterfall_csv(recording),
           .measures_csv = "quantity,value,uncertainty\n",
-          .summary = speed_text(recording, speeds_hz)};
+          .summary = speed_text(recording, speeds_hz) + integration_text(recording)};
 }
 
 }  // namespace
@@ -278,6 +294,9 @@ ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const 
   tables.summary += fmt::format("; a line has {} of noise\n",
                                 model::amplitude_text(verdict.noise_m, shown, LengthUnit::um, 2));
   tables.summary += content_text(verdict, shown);
+  const std::vector<OverallValue> overall = overall_values(recording);
+  tables.measures_csv += overall_csv(recording, overall);
+  tables.summary += overall_text(recording, overall, shown);
   tables.summary += findings_text(recording);
   return tables;
 }
@@ -293,8 +312,8 @@ ScopeTables tables_of_run(const Recording& recording, const std::vector<double>&
       "motion    changes with the speed, by {:.4g} Hz a second; from_s and to_s in the description take a "
       "steady stretch\n",
       ramp.rate_hz_per_s);
-  tables.summary += run_text(one_x, false, shown, tables.measures_csv);
-  if (recording.plane) tables.summary += run_text(one_x, true, shown, tables.measures_csv);
+  tables.summary += run_text(one_x, false, recording.phased, shown, tables.measures_csv);
+  if (recording.plane) tables.summary += run_text(one_x, true, recording.phased, shown, tables.measures_csv);
   tables.summary += findings_text(recording);
   return tables;
 }

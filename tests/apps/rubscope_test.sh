@@ -50,6 +50,32 @@ expect_contains stderr '--most-modulation: 100, allowed: from 0 to below 100 (pe
 expect_exit 0 run.csv --instrument short.yaml --output short
 expect_contains stdout 's more would tell up to 8'
 
+# The same motion by accelerometers in g, and by velocity in in/s, of a casing.
+for form in 'g 2 9.80665e6' 'in/s 1 25400'; do
+  read -r unit times per <<<"$form"
+  awk -v unit="$unit" -v times="$times" -v per="$per" 'BEGIN {
+    pi = atan2(0, -1); w = 2 * pi * 70
+    print "time [s];X [" unit "];Y [" unit "];KP [V]"
+    for (k = 0; k < 5000; ++k) {
+      a = w * k / 5000; turns = 70 * k / 5000; shift = times * pi / 2
+      x = 80 * w ^ times * cos(a + shift) + 60 * (w / 2) ^ times * cos(a / 2 + shift)
+      y = 80 * w ^ times * sin(a + shift) + 20 * (w / 2) ^ times * sin(a / 2 + shift)
+      printf "%.4f;%.9g;%.9g;%d\n", k / 5000, x / per, y / per, turns - int(turns) < 0.08 ? -12 : -2
+    }
+  }' >moved.csv
+  printf '%s\n' 'time: time' 'keyphasor: {column: KP}' \
+    'probes: [{column: X, angle_deg: 0}, {column: Y, angle_deg: 90}]' >moved.yaml
+  expect_exit 0 moved.csv --output moved_scope
+  expect_contains stdout 'subharmonic 1/2, complex orbit, forward whirl'
+  expect_contains stdout 'of the casing, integrated'
+  expect_contains stdout 'orders below 0.125X (8.75 Hz) are lost'
+  expect_contains stdout 'zone D of ISO 20816-3, whatever the machine'
+  [[ $(count_rows moved_scope/lines.csv 'order == 1 and 79.9e-6 < amplitude_m < 80.1e-6') == 1 ]] || fail "1X of $unit"
+  [[ $(count_rows moved_scope/lines.csv 'order == 0.5 and 39.9e-6 < amplitude_m < 40.1e-6') == 1 ]] || fail "1/2X of $unit"
+  expect_exit 2 moved.csv --compare "$top/configs/rotor_kit.yaml" --cell 70,0.6
+  expect_contains stderr 'the recording is one of a casing, allowed: one of the shaft'
+done
+
 # A simulated kit over its own readings.
 "$trace" "$top/configs/rotor_kit.yaml" --speed-hz 70 --whirl-ratio 0.6 --sample-s 2e-4 --noise-m 2e-6 --output kit --quiet
 printf '%s\n' 'time: t_s' 'speed_hz: 70' 'from_s: 1' \

@@ -49,6 +49,19 @@ TEST(LabelledRecording, RecordingsOfAMachineShareItsNumbersAndNotTheirOwn) {
   EXPECT_NE(value_of(a.values, Unknown::whirl_ratio), value_of(b.values, Unknown::whirl_ratio));
 }
 
+TEST(LabelledRecording, HasThePeakAccelerationOfItsRotor) {
+  response::motion::Workspace workspace;
+  const LabelledRecording quiet = make_recording(small_study(), 0, workspace);
+  ASSERT_FALSE(quiet.motion.rubs);
+  // A circle at the shaft speed, whose radius the whirl of a linear rotor gives.
+  const double natural_hz = value_of(quiet.values, Unknown::natural_frequency),
+               damping = value_of(quiet.values, Unknown::damping_ratio), ratio = quiet.speed_hz / natural_hz;
+  const double radius_m =
+      quiet.motion.eccentricity_m * ratio * ratio / std::hypot(1 - ratio * ratio, 2 * damping * ratio);
+  const double expected = radius_m * std::pow(2 * std::numbers::pi * quiet.speed_hz, 2);
+  EXPECT_NEAR(quiet.peak_acceleration_m_per_s2, expected, 0.01 * expected);
+}
+
 TEST(LabelledRecording, AnExponentChangesNoOtherNumberOfItsMachine) {
   DataStudy study = small_study();
   const MachineDraw of_spring = draw_machine(study, 1);

@@ -63,6 +63,17 @@ TEST(InstrumentRead, EverythingThatThereIs) {
   EXPECT_EQ(from_rest.probes[0].rest, -9.1);
   EXPECT_EQ(from_rest.probes[1].rest, 0);
   EXPECT_FALSE(recorder.probes[0].rest);
+  const auto casing = read_instrument_text(
+      "probes: [{column: A, angle_deg: 0, gain_mv_per_g: 100, on: casing}]\nkeyphasor: {column: K}\n"
+      "lowest_order: 0.4\nmachine_group: medium_rigid\n",
+      "i.yaml");
+  EXPECT_EQ(casing.probes[0].gain_mv_per_g, 100);
+  EXPECT_EQ(casing.probes[0].on, rubsweep::recording::Place::casing);
+  EXPECT_EQ(casing.lowest_order, 0.4);
+  const auto swept = read_instrument_text(probe + "sweep: {from_hz: 12, to_hz: 58}\n", "i.yaml");
+  ASSERT_TRUE(swept.sweep);
+  EXPECT_EQ(swept.sweep->to_hz, 58);
+  EXPECT_EQ(casing.machine_group, rubsweep::recording::MachineGroup::medium_rigid);
   const auto without =
       read_instrument_text(probe + "sampling_rate_hz: 5000\nspeed_hz: 70\nfrom_s: 1\nto_s: 2.5\n", "i.yaml");
   EXPECT_EQ(without.sampling_rate_hz, 5000);
@@ -82,6 +93,15 @@ TEST(InstrumentRead, WrongOnesAreNamedWithTheirPlace) {
   EXPECT_NE(fault(clock + "probes:\n  - {column: X, angle: 3}\n").find("angle_deg"), std::string::npos);
   EXPECT_NE(fault(clock + "probes:\n  - {column: X, angle_deg: 3, gain_mv_per_um: 0}\n").find("is 0"),
             std::string::npos);
+  EXPECT_NE(fault(clock + "probes:\n  - {column: X, angle_deg: 3, gain_mv_per_g: 1, gain_mv_per_um: 8}\n")
+                .find("is there beside another gain, allowed: one"),
+            std::string::npos);
+  EXPECT_NE(fault(clock + "probes:\n  - {column: X, angle_deg: 3, on: floor}\n").find("shaft_absolute"),
+            std::string::npos);
+  EXPECT_NE(fault(probe + "time: t\nsweep: {from_hz: 0, to_hz: 5}\n").find("sweep.from_hz"),
+            std::string::npos);
+  EXPECT_NE(fault(clock + probe + "sweep: {from_hz: 1, to_hz: 5}\n").find("sweep"), std::string::npos);
+  EXPECT_NE(fault(clock + probe + "lowest_order: 0\n").find("lowest_order"), std::string::npos);
   EXPECT_NE(fault(clock + probe + "  - {column: Y, angle_deg: 230}\n").find("look along one line"),
             std::string::npos);
   EXPECT_EQ(fault(probe + "speed_hz: 70\n"), "none");  // a WAV file contains its sampling rate

@@ -218,5 +218,20 @@ TEST(Recording, GapsAreLeftOut) {
   EXPECT_THROW(run_out_of(slow, samples, false), ConfigError);
 }
 
+TEST(Recording, OfASweepNeedsTurns) {
+  Instrument instrument = two_probes;
+  instrument.keyphasor.reset();
+  instrument.sweep = Sweep{12, 58};
+  EXPECT_EQ(recording_fault(ellipse(), instrument),
+            "f.csv: has a sweep in its description, allowed: a mark or a steady speed");
+  FollowedTurns turns;
+  turns.finding = "followed";
+  for (int turn = 0; turn < 39; ++turn) turns.begin_s.push_back(0.025 * turn);
+  const Recording recording = make_recording(ellipse(), instrument, "f.csv", &turns);
+  EXPECT_FALSE(recording.phased);
+  EXPECT_EQ(recording.turns(), 38);
+  EXPECT_EQ(recording.findings, std::vector<std::string>{"followed"});
+}
+
 }  // namespace
 }  // namespace rubsweep::recording

@@ -121,6 +121,9 @@ std::string plain_unit(std::string_view unit) {
       ++i;
     } else if (const auto dot = std::ranges::find_if(dots, is); dot != dots.end()) {
       i += dot->size() - 1;
+    } else if (is("\u00b2")) {
+      plain += '2';
+      ++i;
     } else if (std::string_view(" *.-_^").find(unit[i]) == std::string_view::npos) {
       plain += unit[i];
     }

@@ -17,9 +17,9 @@ struct Named {
   Unit unit;
 };
 
-constexpr double inch = metres_per_inch, pound = newtons_per_lbf, standard_gravity = 9.80665;
+constexpr double inch = metres_per_inch, pound = newtons_per_lbf;
 
-constexpr std::array<Named, 78> units{{
+constexpr std::array<Named, 86> units{{
     {"s", {Quantity::time, 1}},
     {"sec", {Quantity::time, 1}},
     {"secs", {Quantity::time, 1}},
@@ -42,12 +42,20 @@ constexpr std::array<Named, 78> units{{
     {"mils", {Quantity::length, 25.4e-6}},
     {"m/s", {Quantity::velocity, 1}},
     {"mm/s", {Quantity::velocity, 1e-3}},
+    {"mm/sec", {Quantity::velocity, 1e-3}},
+    {"cm/s", {Quantity::velocity, 1e-2}},
+    {"um/s", {Quantity::velocity, 1e-6}},
     {"in/s", {Quantity::velocity, inch}},
+    {"in/sec", {Quantity::velocity, inch}},
     {"ips", {Quantity::velocity, inch}},
     {"m/s2", {Quantity::acceleration, 1}},
+    {"m/s/s", {Quantity::acceleration, 1}},
+    {"m/sec2", {Quantity::acceleration, 1}},
     {"mm/s2", {Quantity::acceleration, 1e-3}},
     {"in/s2", {Quantity::acceleration, inch}},
     {"g", {Quantity::acceleration, standard_gravity}},
+    {"gs", {Quantity::acceleration, standard_gravity}},
+    {"g's", {Quantity::acceleration, standard_gravity}},
     {"rad", {Quantity::angle, 1}},
     {"deg", {Quantity::angle, pi / 180}},
     {"\u00b0", {Quantity::angle, pi / 180}},

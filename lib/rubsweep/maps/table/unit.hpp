@@ -38,6 +38,7 @@ struct Unit {
 std::optional<Unit> unit_of(std::string_view words);
 
 inline constexpr double newtons_per_lbf = 4.4482216152605, metres_per_inch = 0.0254;
+inline constexpr double standard_gravity = 9.80665;  ///< g in m/s^2
 /// One pound-force per inch, in N/m.
 inline constexpr double lbf_per_in = newtons_per_lbf / metres_per_inch;
 

@@ -29,6 +29,15 @@ void measure_rub(const DataStudy& study, LabelledRecording& recording) {
   recording.force_ratio = force_n / (study.fixed.rotor_mass_kg * gravity_m_per_s2);
 }
 
+/// Largest second difference of a motion over time.
+double peak_acceleration(const std::vector<std::complex<double>>& motion, double speed_hz) {
+  const double step_s = 1 / (speed_hz * samples_per_revolution);
+  double peak = 0;
+  for (std::size_t k = 1; k + 1 < motion.size(); ++k)
+    peak = std::max(peak, std::abs(motion[k - 1] - 2.0 * motion[k] + motion[k + 1]) / (step_s * step_s));
+  return peak;
+}
+
 /// Draws the numbers of this recording until its motion can be simulated and its rub stays within the study's
 /// limits.
 void draw_motion(const DataStudy& study, const MachineDraw& machine, LabelledRecording& recording,
@@ -114,6 +123,8 @@ LabelledRecording make_recording(const DataStudy& study, std::size_t index,
   recording.mark_turns = machine.mark_turns;
   recording.gain = machine.gain;
   draw_motion(study, machine, recording, workspace);
+  recording.peak_acceleration_m_per_s2 =
+      peak_acceleration(recording.motion.displacement_m, recording.speed_hz);
   RandomStream random(study.seed, index, Purpose::of_readings);
   for (std::complex<double>& z : recording.motion.displacement_m)
     z *= std::polar(1.0, recording.stop_angle_deg * std::numbers::pi / 180);

@@ -39,6 +39,7 @@ struct LabelledRecording {
   double noise_m = 0;                             ///< standard deviation of every reading
   std::vector<double> gain{};                     ///< gain of each probe
   double penetration_ratio = 0, force_ratio = 0;  ///< ratios as defined in RubBounds
+  double peak_acceleration_m_per_s2 = 0;          ///< of the rotor, from samples_per_revolution points a turn
   diagnose::SimulatedMotion motion{};             ///< label; its samples are replaced by the readings
   std::string sha256{};  ///< digest of the recording's file, once the file is written
   std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: empty with one probe

@@ -136,6 +136,9 @@ std::vector<Column> motion_columns() {
       {{"sha256", "SHA-256 of its file"}, [](S, R r) { return r.sha256; }},
       {{"exponent", "exponent of the penetration in the force of the contact; 1: a spring"},
        of_stop<Unknown::exponent>},
+      {{"peak_acceleration_m_per_s2",
+        "largest acceleration of the rotor in the recording, from 128 points a turn"},
+       [](S, R r) { return number(r.peak_acceleration_m_per_s2); }},
   };
 }
 

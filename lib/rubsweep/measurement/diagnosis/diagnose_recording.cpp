@@ -56,6 +56,8 @@ RecordedProblem recorded_problem(DiagnosedMachine machine, recording::Recording 
   if (recording.turns() < fewest_turns)
     throw ConfigError(fmt::format("{}: has {} whole turns, allowed: {} or more", questions.name,
                                   recording.turns(), fewest_turns));
+  if (recording.place == recording::Place::casing)
+    throw ConfigError(questions.name + ": is a recording of a casing, allowed: one of the shaft");
   if (scope::speed_changes(recording))
     throw ConfigError(questions.name + ": the speed changes, allowed: a steady one, or from_s and to_s");
   const double speed_hz = inference::simulated_speed_hz(recording.mean_speed_hz());

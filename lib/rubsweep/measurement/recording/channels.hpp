@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/maps/table/unit.hpp"
 #include "rubsweep/measurement/recording/instrument.hpp"
 
 namespace rubsweep::recording {
@@ -66,15 +67,17 @@ inline std::string unit_in_ending(std::string_view name) {
 /// names of file and column for any other unit.
 double seconds_per(const std::string& unit, const std::string& column, const std::string& file);
 
-/// Conversion of a probe's readings to metres, and the value at which they are cut off.
+/// Quantity that a probe measures, conversion of its readings to m, m/s or m/s^2, and the value at which they
+/// are cut off.
 struct Scale {
-  double metres_per_unit = 1;
+  table::Quantity quantity = table::Quantity::length;  ///< or velocity, or acceleration
+  double si_per_unit = 1;
   std::optional<double> full_scale{};  ///< full scale in the unit of the column
 };
 
-/// Scale of a probe's column. Its unit is m, mm, um or µm, or mil; V or mV with a gain in mV/µm; or FS
-/// (shares of a full scale range_v), with gain and range_v. `unit` is the column's unless the probe gives
-/// another one. Throws ConfigError like seconds_per.
+/// Scale of a probe's column. Its unit is one of a length, a velocity or an acceleration; V or mV with one of
+/// the gains; or FS, shares of a full scale range_v, which needs gain and range_v. `unit` is the column's
+/// unless the probe gives another one. Throws ConfigError like seconds_per.
 Scale scale_of(const std::string& unit, const Probe& probe, const std::string& file);
 
 }  // namespace rubsweep::recording

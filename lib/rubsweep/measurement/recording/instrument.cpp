@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "rubsweep/maps/config/file.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
@@ -13,14 +15,23 @@ namespace {
 
 using rubsweep::recording::Instrument;
 using rubsweep::recording::Keyphasor;
+using rubsweep::recording::MachineGroup;
 using rubsweep::recording::Mark;
+using rubsweep::recording::Place;
 using rubsweep::recording::Probe;
 using rubsweep::recording::RunOut;
 using rubsweep::recording::SpeedColumn;
+using rubsweep::recording::Sweep;
 
 constexpr std::string_view root_form =
-    "a map with probes, keyphasor, speed_hz or speed, time or sampling_rate_hz";
+    "a map with probes, keyphasor, speed_hz, speed or sweep, time or sampling_rate_hz";
 constexpr Words<Mark, 2> marks{{"dark", "bright"}, {Mark::dark, Mark::bright}};
+
+constexpr Words<Place, 3> places{{"shaft", "shaft_absolute", "casing"},
+                                 {Place::shaft, Place::shaft_absolute, Place::casing}};
+constexpr Words<MachineGroup, 4> groups{{"large_rigid", "large_flexible", "medium_rigid", "medium_flexible"},
+                                        {MachineGroup::large_rigid, MachineGroup::large_flexible,
+                                         MachineGroup::medium_rigid, MachineGroup::medium_flexible}};
 
 constexpr int most_pulses = 4096;
 
@@ -38,8 +49,16 @@ Probe read_probe(const yaml::Value& value) {
   probe.angle_deg = model::required;
   read_column(section, "column", probe.column);
   section.field("angle_deg", probe.angle_deg, model::any_finite);
-  section.field("gain_mv_per_um", probe.gain_mv_per_um, model::any_finite);
-  if (probe.gain_mv_per_um == 0) section.refuse("gain_mv_per_um", "is 0", "a number other than 0");
+  const std::array gains{std::pair{"gain_mv_per_um", &probe.gain_mv_per_um},
+                         std::pair{"gain_mv_per_mm_per_s", &probe.gain_mv_per_mm_per_s},
+                         std::pair{"gain_mv_per_g", &probe.gain_mv_per_g}};
+  int given = 0;
+  for (const auto& [name, gain] : gains) {
+    section.field(name, *gain, model::any_finite);
+    if (*gain == 0) section.refuse(name, "is 0", "a number other than 0");
+    if (*gain && ++given == 2) section.refuse(name, "is there beside another gain", "one");
+  }
+  if (section.find("on")) section.field("on", probe.on.emplace(), places);
   if (const auto unit = section.find("unit")) probe.unit = read_text(*unit);
   section.field("range_v", probe.range_v, model::positive);
   section.field("rest", probe.rest, model::any_finite);
@@ -84,19 +103,32 @@ RunOut read_run_out(const yaml::Value& value) {
   return run_out;
 }
 
+Sweep read_sweep(const yaml::Value& value) {
+  yaml::Section section(value);
+  Sweep sweep{model::required, model::required};
+  section.field("from_hz", sweep.from_hz, model::positive);
+  section.field("to_hz", sweep.to_hz, model::positive);
+  section.refuse_unknown_keys();
+  return sweep;
+}
+
 Instrument read_root(const yaml::Value& root) {
   yaml::Section section(root, root_form);
   Instrument instrument;
   if (section.find("time") && section.find("sampling_rate_hz"))
     section.require_exactly_one({"time", "sampling_rate_hz"});
-  section.require_exactly_one({"keyphasor", "speed_hz", "speed"});
+  section.require_exactly_one({"keyphasor", "speed_hz", "speed", "sweep"});
   if (const auto value = section.find("time")) instrument.time = read_text(*value);
   section.field("sampling_rate_hz", instrument.sampling_rate_hz, model::positive);
   section.field("speed_hz", instrument.speed_hz, model::positive);
   section.field("from_s", instrument.from_s, model::any_finite);
   section.field("to_s", instrument.to_s, model::any_finite);
+  section.field("lowest_order", instrument.lowest_order, model::positive);
+  if (section.find("machine_group"))
+    section.field("machine_group", instrument.machine_group.emplace(), groups);
   if (const auto value = section.find("keyphasor")) instrument.keyphasor = read_keyphasor(*value);
   if (const auto value = section.find("speed")) instrument.speed = read_speed(*value);
+  if (const auto value = section.find("sweep")) instrument.sweep = read_sweep(*value);
   if (const auto value = section.find("run_out")) instrument.run_out = read_run_out(*value);
   if (const auto value = section.require("probes", "a list of one or two maps")) {
     for (const yaml::Value& item : read_list(*value, 2)) instrument.probes.push_back(read_probe(item));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/table/unit.hpp"
 #include "rubsweep/measurement/recording/findings.hpp"
 #include "rubsweep/measurement/recording/found_speed.hpp"
 #include "rubsweep/measurement/recording/probe_faults.hpp"
@@ -34,20 +35,24 @@ Complex plane_of(double first, double second, double first_rad, double second_ra
           (second * std::cos(first_rad) - first * std::cos(second_rad)) / determinant};
 }
 
-/// Readings of one probe in metres.
+/// Readings of all probes in SI units of what they measure.
 struct Readings {
-  std::string column;
-  std::vector<double> values_m;
+  table::Quantity quantity = table::Quantity::length;
+  std::vector<ProbeSignal> probes{};
 };
 
+int integrations_of(table::Quantity quantity) {
+  return quantity == table::Quantity::length ? 0 : quantity == table::Quantity::velocity ? 1 : 2;
+}
+
 /// Displacement at equal angles of the given turns.
-std::vector<Complex> turned(const std::vector<Readings>& all, const Instrument& instrument,
+std::vector<Complex> turned(const std::vector<ProbeSignal>& all, const Instrument& instrument,
                             const SampleClock& clock, std::span<const double> turn_begin_s) {
   std::vector<std::vector<double>> probes;
   probes.reserve(all.size());
-  for (const Readings& readings : all)
-    probes.push_back(at_equal_angles(readings.values_m, clock.first_s, clock.rate_hz, turn_begin_s,
-                                     samples_per_revolution));
+  for (const ProbeSignal& readings : all)
+    probes.push_back(
+        at_equal_angles(readings.values, clock.first_s, clock.rate_hz, turn_begin_s, samples_per_revolution));
   const auto direction = [&](std::size_t i) {
     return instrument.probes[i].angle_deg * std::numbers::pi / 180;
   };
@@ -88,18 +93,37 @@ bool keep_longest_without_gap(Recording& recording) {
 }
 
 /// Readings of every probe with outliers replaced. Adds the faults of the readings to the findings.
-std::vector<Readings> readings_of(const Channels& channels, const Instrument& instrument,
-                                  const std::string& name, std::vector<std::string>& findings) {
-  std::vector<Readings> all;
+Readings readings_of(const Channels& channels, const Instrument& instrument, const std::string& name,
+                     std::vector<std::string>& findings) {
+  Readings all;
   for (const Probe& probe : instrument.probes) {
     Channel channel = find_channel(channels, probe.column, name);
     const Scale scale = scale_of(channel.unit, probe, name);
+    const auto refuse = [&](std::string_view wrong, std::string_view allowed) {
+      throw ConfigError(fmt::format("{}: '{}': {}, allowed: {}", name, channel.name, wrong, allowed));
+    };
+    if (all.probes.empty()) all.quantity = scale.quantity;
+    if (scale.quantity != all.quantity)
+      refuse("measures another quantity than the first probe", "probes of one quantity");
+    if (probe.rest && integrations_of(scale.quantity) > 0)
+      refuse("measures no displacement and has a reading at rest", "no rest");
+    if (instrument.run_out && integrations_of(scale.quantity) > 0)
+      refuse("measures no displacement and has a run-out", "no run_out");
     add_wild_findings(replace_wild_readings(channel.values), channel, channels, findings);
     add_findings(channel, channels, scale.full_scale, findings);
-    for (double& value : channel.values) value = (value - probe.rest.value_or(0)) * scale.metres_per_unit;
-    all.push_back({std::move(channel.name), std::move(channel.values)});
+    for (double& value : channel.values) value = (value - probe.rest.value_or(0)) * scale.si_per_unit;
+    all.probes.push_back({std::move(channel.name), probe.angle_deg, std::move(channel.values)});
   }
   return all;
+}
+
+/// Place of the probes. Throws ConfigError where they have two.
+Place place_of(const Instrument& instrument, table::Quantity quantity, const std::string& name) {
+  const Place usual = quantity == table::Quantity::length ? Place::shaft : Place::casing;
+  const Place first = instrument.probes.front().on.value_or(usual);
+  if (instrument.probes.back().on.value_or(usual) != first)
+    throw ConfigError(name + ": the probes are on different parts (on), allowed: one part");
+  return first;
 }
 
 /// Index of the first reading at or after an instant.
@@ -109,27 +133,27 @@ std::size_t place_of(double t_s, const SampleClock& clock, std::size_t count) {
 }
 
 /// Readings of every probe in the evaluated interval.
-std::vector<std::vector<double>> stretch_of(const std::vector<Readings>& all, const SampleClock& clock,
+std::vector<std::vector<double>> stretch_of(const std::vector<ProbeSignal>& all, const SampleClock& clock,
                                             std::optional<double> from_s, std::optional<double> to_s) {
   std::vector<std::vector<double>> stretch;
-  for (const Readings& readings : all) {
+  for (const ProbeSignal& readings : all) {
     const auto at = [&](double t_s) {
-      return readings.values_m.begin() +
-             static_cast<std::ptrdiff_t>(place_of(t_s, clock, readings.values_m.size()));
+      return readings.values.begin() +
+             static_cast<std::ptrdiff_t>(place_of(t_s, clock, readings.values.size()));
     };
-    stretch.emplace_back(from_s ? at(*from_s) : readings.values_m.begin(),
-                         to_s ? at(*to_s) : readings.values_m.end());
+    stretch.emplace_back(from_s ? at(*from_s) : readings.values.begin(),
+                         to_s ? at(*to_s) : readings.values.end());
   }
   return stretch;
 }
 
-/// Adds the faults that a comparison of the probes shows, and removes the stretch where a probe is stuck, if
-/// enough turns remain.
-void look_for_faults(std::vector<Readings>& all, const Recording& recording, const SampleClock& clock,
+/// Adds the faults that show when probes are compared, and removes the stretch where one of them is stuck, if
+/// enough turns are left.
+void look_for_faults(std::vector<ProbeSignal>& all, const Recording& recording, const SampleClock& clock,
                      std::vector<std::string>& findings) {
-  const std::size_t first = place_of(recording.turn_begin_s.front(), clock, all[0].values_m.size()),
-                    end = place_of(recording.turn_begin_s.back(), clock, all[0].values_m.size());
-  const auto stretch = [&](std::size_t i) { return std::span(all[i].values_m).subspan(first, end - first); };
+  const std::size_t first = place_of(recording.turn_begin_s.front(), clock, all[0].values.size()),
+                    end = place_of(recording.turn_begin_s.back(), clock, all[0].values.size());
+  const auto stretch = [&](std::size_t i) { return std::span(all[i].values).subspan(first, end - first); };
   if (all.size() == 2) add_pair_findings({all[0].column, stretch(0)}, {all[1].column, stretch(1)}, findings);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double per_turn = clock.rate_hz / recording.mean_speed_hz();
@@ -148,9 +172,50 @@ void look_for_faults(std::vector<Readings>& all, const Recording& recording, con
   }
 }
 
+/// Makes displacements of samples of what was measured, over the angular speed, which is taken to be steady
+/// unless it changes by more than 2 %. Its rate, which a second integration would need, is left out.
+void integrate(double lowest_order, Recording& recording) {
+  constexpr double steady = 1.02, fewest_periods = 2;
+  Integration& integration = recording.integration;
+  integration.lowest_order = std::max(lowest_order, fewest_periods / recording.turns());
+  const double mean_rad_per_s = 2 * std::numbers::pi * recording.mean_speed_hz();
+  // An offset of the instrument would be no constant over an angular speed that changes.
+  Complex offset = 0;
+  for (const Complex z : recording.displacement_m)
+    offset += z / static_cast<double>(recording.displacement_m.size());
+  for (Complex& z : recording.displacement_m) z -= offset;
+  recording.measured_m = recording.displacement_m;
+  for (Complex& z : recording.measured_m) z *= std::pow(mean_rad_per_s, -integration.times);
+  std::vector<double> speeds_hz = turn_speeds_hz(recording.turn_begin_s);
+  const auto [slowest, fastest] = std::ranges::minmax(speeds_hz);
+  if (fastest <= steady * slowest) std::ranges::fill(speeds_hz, recording.mean_speed_hz());
+  for (std::size_t k = 0; k < recording.displacement_m.size(); ++k) {
+    const double place = static_cast<double>(k) / samples_per_revolution - 0.5;
+    const auto turn = std::min(static_cast<std::size_t>(std::max(place, 0.0)), speeds_hz.size() - 2);
+    const double speed_hz =
+        std::lerp(speeds_hz[turn], speeds_hz[turn + 1], place - static_cast<double>(turn));
+    recording.displacement_m[k] *= std::pow(2 * std::numbers::pi * speed_hz, -integration.times);
+  }
+  recording.displacement_m = integrated(std::move(recording.displacement_m), recording.turns(), integration);
+}
+
+/// Puts the readings over the evaluated turns into the recording.
+void keep_readings(Readings& readings, const SampleClock& clock, Recording& recording) {
+  for (ProbeSignal& one : readings.probes) {
+    const auto at = [&](double t_s) {
+      return one.values.begin() + static_cast<std::ptrdiff_t>(place_of(t_s, clock, one.values.size()));
+    };
+    one.values = {at(recording.turn_begin_s.front()), at(recording.turn_begin_s.back())};
+  }
+  recording.probes = std::move(readings.probes);
+}
+
 }  // namespace
 
-Recording make_recording(const Channels& all, const Instrument& instrument, const std::string& name) {
+Recording make_recording(const Channels& all, const Instrument& instrument, const std::string& name,
+                         const FollowedTurns* followed) {
+  if (instrument.sweep && !followed)
+    throw ConfigError(name + ": has a sweep in its description, allowed: a mark or a steady speed");
   std::vector<std::string> jumps;
   const std::optional<Channels> stretch = stretch_without_jump(all, instrument, name, jumps);
   const Channels& channels = stretch ? *stretch : all;
@@ -160,16 +225,21 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
                       .from_rest = instrument.probes.front().rest.has_value()};
   recording.findings = all.notes;
   recording.findings.insert(recording.findings.end(), jumps.begin(), jumps.end());
-  std::vector<Readings> readings = readings_of(channels, instrument, name, recording.findings);
+  Readings readings = readings_of(channels, instrument, name, recording.findings);
+  recording.place = place_of(instrument, readings.quantity, name);
+  recording.machine_group = instrument.machine_group;
   Instrument known = instrument;
   if (instrument.speed_hz && *instrument.speed_hz <= clock.rate_hz / 2) {
-    const auto looked_at = stretch_of(readings, clock, instrument.from_s, instrument.to_s);
+    const auto looked_at = stretch_of(readings.probes, clock, instrument.from_s, instrument.to_s);
     const double turns = static_cast<double>(looked_at[0].size()) / clock.rate_hz * *instrument.speed_hz;
     known.speed_hz =
         speed_to_take(*instrument.speed_hz, speed_near(looked_at, clock.rate_hz, *instrument.speed_hz), turns,
                       recording.findings);
   }
-  ShaftTurns all_turns = turns_of(channels, known, clock, name, recording.findings);
+  recording.phased = !followed;
+  if (followed) recording.findings.push_back(followed->finding);
+  ShaftTurns all_turns = followed ? ShaftTurns{.begin_s = followed->begin_s}
+                                  : turns_of(channels, known, clock, name, recording.findings);
   const auto turns_looked_at = [&] {
     recording.turn_begin_s = all_turns.begin_s;
     keep_between(recording.turn_begin_s, instrument.from_s, instrument.to_s);
@@ -177,7 +247,7 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
   turns_looked_at();
   if (known.speed) {
     std::vector<std::vector<double>> probes;
-    for (const Readings& one : readings) probes.push_back(one.values_m);
+    for (const ProbeSignal& one : readings.probes) probes.push_back(one.values);
     if (const auto factor = speed_factor(probes, clock, recording.turn_begin_s, recording.findings)) {
       known.speed->factor = *factor;
       all_turns = turns_of(channels, known, clock, name, recording.findings);
@@ -188,8 +258,8 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
     throw ConfigError(fmt::format("{}: holds {} whole turns of the shaft, allowed: {} or more", name,
                                   std::max(recording.turns(), 0), fewest_turns));
   }
-  look_for_faults(readings, recording, clock, recording.findings);
-  recording.displacement_m = turned(readings, instrument, clock, recording.turn_begin_s);
+  look_for_faults(readings.probes, recording, clock, recording.findings);
+  recording.displacement_m = turned(readings.probes, instrument, clock, recording.turn_begin_s);
   if (instrument.run_out) {
     std::vector<double> slow = all_turns.begin_s;
     keep_between(slow, instrument.run_out->from_s, instrument.run_out->to_s);
@@ -198,16 +268,20 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
           fmt::format("{}: holds {} whole turns from run_out.from_s to run_out.to_s, allowed: 2 or more",
                       name, slow.empty() ? 0 : slow.size() - 1));
     subtract_run_out(recording.displacement_m,
-                     run_out_of(turned(readings, instrument, clock, slow), samples_per_revolution,
+                     run_out_of(turned(readings.probes, instrument, clock, slow), samples_per_revolution,
                                 instrument.run_out->vector));
   }
   if (keep_longest_without_gap(recording) && recording.turns() < fewest_turns) {
     throw ConfigError(fmt::format("{}: holds {} turns without a gap, allowed: {} or more", name,
                                   recording.turns(), fewest_turns));
   }
+  recording.integration.times = integrations_of(readings.quantity);
+  if (recording.integration.times > 0) integrate(instrument.lowest_order, recording);
+  keep_readings(readings, clock, recording);
   recording.angle_doubt = instrument.keyphasor
                               ? angle_doubt_of(recording.turn_begin_s, all_turns)
-                              : doubt_without_marks(static_cast<std::size_t>(recording.turns()));
+                              : doubt_without_marks(static_cast<std::size_t>(recording.turns()),
+                                                    followed ? 3 * followed->angle_uncertainty_turns : 0);
   add_speed_findings(recording.turn_begin_s, clock.rate_hz, recording.findings);
   return recording;
 }

@@ -1,17 +1,34 @@
 #pragma once
 
 #include <complex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "rubsweep/measurement/recording/channels.hpp"
 #include "rubsweep/measurement/recording/instrument.hpp"
+#include "rubsweep/measurement/recording/integrated.hpp"
 #include "rubsweep/measurement/recording/shaft_turns.hpp"
 
 namespace rubsweep::recording {
 
 inline constexpr int samples_per_revolution = 128;  ///< Number of samples per turn of the shaft.
+
+/// Readings of a probe over the evaluated turns, in m, m/s or m/s^2 as it measured them.
+struct ProbeSignal {
+  std::string column;
+  double angle_deg = 0;
+  std::vector<double> values{};
+};
+
+/// Turns of a shaft whose speed changes, found from its line in the readings.
+struct FollowedTurns {
+  std::vector<double> begin_s;         ///< beginnings of turns
+  double speed_uncertainty_hz = 0;     ///< standard, of the speed at an instant
+  double angle_uncertainty_turns = 0;  ///< standard, of an angle beside those nearby
+  std::string finding{};               ///< what has to be said of them
+};
 
 /// Measured motion over whole turns of the shaft, sampled at equal angles.
 struct Recording {
@@ -19,9 +36,17 @@ struct Recording {
   std::vector<double> turn_begin_s{};  ///< instants at which turns begin, and the end of the last one
   /// Displacement x + iy in metres, samples_per_revolution values per turn. With one probe, its real reading.
   std::vector<std::complex<double>> displacement_m{};
+  /// Where velocity or acceleration was measured: the same samples of it over powers of the mean angular
+  /// speed, so that its lines are those of the displacement times (i order)^times; else empty.
+  std::vector<std::complex<double>> measured_m{};
   bool plane = false;      ///< measured by two probes
+  bool phased = true;      ///< false: turns follow the line of the shaft, so that its phase is not known
   bool from_rest = false;  ///< whether displacements are measured from the rest position of the rotor
   AngleDoubt angle_doubt{};
+  Integration integration{};
+  Place place = Place::shaft;
+  std::optional<MachineGroup> machine_group{};
+  std::vector<ProbeSignal> probes{};
   std::vector<std::string> findings{};  ///< faults of the data: sentences without a full stop
 
   int turns() const { return static_cast<int>(turn_begin_s.size()) - 1; }
@@ -31,12 +56,15 @@ struct Recording {
 inline constexpr int fewest_turns = 4;  ///< Fewest whole turns that are evaluated.
 
 /// Makes a recording from the columns and the instrument's description, and subtracts the run-out of the
-/// shaft where a slow interval is given. Only the longest stretch of turns without gaps is kept. Findings:
-/// gaps, a clipped signal (its extreme value occurs too often in a row or in total), a dead probe, a speed
-/// that changes by more than 1 % from turn to turn, vibration near half the sampling rate. Throws
-/// ConfigError, with `name`:line where a row is at fault: for missing columns, unknown units, uneven times,
-/// and fewer turns than `fewest_turns`.
-Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name);
+/// shaft where a slow interval is given. Velocities and accelerations are integrated. Of the turns without
+/// gaps the longest stretch is kept. Findings: gaps, a clipped signal (its extreme value too often in a row,
+/// or too often in all), a dead probe, a speed that changes by more than 1 % from turn to turn, vibration
+/// near half the sampling rate. Throws ConfigError, with `name`:line where a row is at fault: for missing
+/// columns, unknown units, probes of different quantities or places, rest or run-out of others than
+/// displacement, uneven times, and fewer turns than `fewest_turns`.
+/// `followed`: turns of a shaft with `instrument.sweep`.
+Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name,
+                         const FollowedTurns* followed = nullptr);
 
 /// Run-out of a shaft: the mean turn of a slow stretch, minus the mean of that turn (the gap).
 /// `displacement_m` has samples_per_turn values per whole turn. `vector`: only the components at +1X and -1X,

@@ -165,12 +165,15 @@ Channels read_recording_file(const std::filesystem::path& file, std::string_view
   return table;
 }
 
-ReadRecording read_recording(const std::filesystem::path& file,
-                             const std::filesystem::path& instrument_file) {
+ReadRecording read_recording(const std::filesystem::path& file, const std::filesystem::path& instrument_file,
+                             FindTurns turns_of_sweep) {
   const std::string description = config::yaml::read_config_bytes(instrument_file);
   Instrument instrument = config::recording::read_instrument_text(description, instrument_file.string());
   const std::string bytes = batch::read_input(file);
-  Recording recording = make_recording(read_recording_file(file, bytes), instrument, file.string());
+  const Channels channels = read_recording_file(file, bytes);
+  std::optional<FollowedTurns> followed;
+  if (instrument.sweep && turns_of_sweep) followed = turns_of_sweep(channels, instrument, file.string());
+  Recording recording = make_recording(channels, instrument, file.string(), followed ? &*followed : nullptr);
   return {std::move(recording), std::move(instrument), description + bytes};
 }
 

@@ -34,7 +34,10 @@ struct ReadRecording {
 };
 
 /// Reads a recording and the description of its instrument. Throws ConfigError for faults in either file.
-ReadRecording read_recording(const std::filesystem::path& file, const std::filesystem::path& instrument_file);
+/// `turns_of_sweep` finds the turns of one whose description has a sweep; empty: such a recording is refused.
+using FindTurns = FollowedTurns (*)(const Channels&, const Instrument&, const std::string& name);
+ReadRecording read_recording(const std::filesystem::path& file, const std::filesystem::path& instrument_file,
+                             FindTurns turns_of_sweep = nullptr);
 
 /// Reads a WAV file (RIFF, RIFX, RF64) as data recorders write it: "channel 1", "channel 2", ... in
 /// full_scale_unit, and the sampling rate. Throws ConfigError with the name of the file where it is damaged

@@ -230,8 +230,9 @@ ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, cons
   }
 }
 
-AngleDoubt doubt_without_marks(std::size_t turns) {
-  constexpr double room_turns = 0.1;
+AngleDoubt doubt_without_marks(std::size_t turns, double least_turns) {
+  constexpr double usual_turns = 0.1;
+  const double room_turns = std::max(usual_turns, least_turns);
   constexpr std::size_t most_degree = 3, turns_a_degree = 8;
   const std::size_t degree = std::min(most_degree, turns / turns_a_degree);
   if (degree == 0) return {};

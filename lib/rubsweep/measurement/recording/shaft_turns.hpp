@@ -71,9 +71,9 @@ struct AngleDoubt {
   int degree = 0;
 };
 
-/// Possible errors of the angles of turns without marks. The speed may wander, so that angles are wrong by up
-/// to a tenth of a turn.
-AngleDoubt doubt_without_marks(std::size_t turns);
+/// Possible errors of the angles of these turns without marks: the speed may wander, so that angles are off
+/// by a tenth of a turn, or by `least_turns` where that is more.
+AngleDoubt doubt_without_marks(std::size_t turns, double least_turns = 0);
 
 /// Possible errors of the angles at the beginnings of these turns, which are a continuous part of all turns.
 AngleDoubt angle_doubt_of(std::span<const double> turn_begin_s, const ShaftTurns& all);

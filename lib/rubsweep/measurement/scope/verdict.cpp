@@ -27,14 +27,20 @@ int longest_period_in(int turns) { return std::min(max_period, turns / fewest_pe
 /// A spectrum of which only the lines up to a given order are used.
 struct Lines : FullSpectrum {
   double most_order = 0, least_share = 0;
+  recording::Integration integration{};
+
+  /// Noise at line k over that at order 1.
+  double noise_at(int k) const { return integration.noise_at(order(k)); }
 };
 
-/// Calls `look` for each line that is used, except 0X.
+/// Calls `look` for each line of the displacement that counts, except 0X. Noise is white in what was
+/// measured.
 template <class Look>
 void for_lines(const Lines& spectrum, Look look) {
   const int last = static_cast<int>(spectrum.most_order * spectrum.turns);
   for (int k = std::max(-last, spectrum.first_line()); k <= std::min(last, spectrum.last_line()); ++k)
-    if (k != 0) look(k, spectrum.amplitude(k));
+    if (k != 0 && std::abs(spectrum.order(k)) >= spectrum.integration.lowest_order)
+      look(k, spectrum.amplitude(k) * spectrum.noise_at(k));
 }
 
 /// Whether line k, in a spectrum over `turns` turns, is a multiple of order 1/n.
@@ -52,8 +58,8 @@ Noise noise_of(const Lines& spectrum) {
     bool belongs = false;
     for (int n = 1; n <= longest_period_in(spectrum.turns); ++n)
       belongs = belongs || on_comb(k, spectrum.turns, n);
-    all.push_back(amplitude);
-    if (!belongs) between.push_back(amplitude);
+    all.push_back(amplitude / spectrum.noise_at(k));
+    if (!belongs) between.push_back(all.back());
   });
   constexpr std::size_t fewest_lines = 16;
   std::vector<double>& lines = between.size() >= fewest_lines ? between : all;
@@ -64,9 +70,14 @@ Noise noise_of(const Lines& spectrum) {
   return {*middle / std::sqrt(root), 1 / (root * root * static_cast<double>(lines.size()))};
 }
 
+/// Amplitudes at order 1 that noise reaches rarely, and the floor of all orders.
 struct Threshold {
-  double noise_m = 0, suspicious_m = 0, visible_m = 0, largest_m = 0;
-  double seen_m = 0;  ///< smallest line that exceeds the noise, even if it is a tiny part of the motion
+  double noise_m = 0, suspicious_m = 0, largest_m = 0;
+  double seen_m = 0;   ///< smallest line that exceeds the noise, however small a part of the motion it is
+  double floor_m = 0;  ///< smallest line that counts, whatever the noise
+
+  /// Smallest line that counts where the noise is so many times that at order 1.
+  double visible_m(double noise = 1) const { return std::max(noise * seen_m, floor_m); }
 };
 
 Threshold threshold_of(const Lines& spectrum) {
@@ -85,21 +96,37 @@ Threshold threshold_of(const Lines& spectrum) {
     const double square = 2 * std::log(count / probability);
     return noise.deviation_m * std::sqrt(square / (1 - std::min(square * noise.variance, most)));
   };
-  const double floor_m = spectrum.least_share * threshold.largest_m;
-  threshold.suspicious_m = std::max(reached(suspicion), floor_m);
+  threshold.floor_m = spectrum.least_share * threshold.largest_m;
+  threshold.suspicious_m = reached(suspicion);
   threshold.seen_m = reached(false_alarm);
-  threshold.visible_m = std::max(threshold.seen_m, floor_m);
   return threshold;
 }
 
-/// Largest line that is no multiple of 1/n. If a period is given, only multiples of 1 / period are searched.
-double largest_beside(const Lines& spectrum, int n, int period = 0) {
-  double largest = 0;
+/// A line, and the noise there over that at order 1.
+struct Beside {
+  double amplitude_m = 0, noise = 1;
+};
+
+/// The line that is no multiple of 1/n and stands highest over its noise; if a period is given, only
+/// multiples of 1 / period count.
+Beside highest_beside(const Lines& spectrum, int n, int period = 0) {
+  Beside highest;
   for_lines(spectrum, [&](int k, double amplitude) {
-    if (!on_comb(k, spectrum.turns, n) && (period == 0 || on_comb(k, spectrum.turns, period)))
-      largest = std::max(largest, amplitude);
+    if (on_comb(k, spectrum.turns, n) || (period != 0 && !on_comb(k, spectrum.turns, period))) return;
+    const double noise = spectrum.noise_at(k);
+    if (amplitude * highest.noise > highest.amplitude_m * noise) highest = {amplitude, noise};
   });
-  return largest;
+  return highest;
+}
+
+/// Whether a line is visible that is no multiple of 1/n.
+bool is_visible_beside(const Lines& spectrum, int n, const Threshold& threshold) {
+  bool visible = false;
+  for_lines(spectrum, [&](int k, double amplitude) {
+    visible =
+        visible || (!on_comb(k, spectrum.turns, n) && amplitude > threshold.visible_m(spectrum.noise_at(k)));
+  });
+  return visible;
 }
 
 std::vector<MeasuredLine> lines_of(std::span<const Complex> orbit, int turns) {
@@ -115,11 +142,11 @@ std::optional<DoubtfulPeriod> doubtful_period(const Lines& spectrum, int period,
                                               const Threshold& threshold) {
   for (int n = 2 * period; n <= longest; n += period) {
     if (spectrum.turns % n != 0) continue;
-    const double amplitude = largest_beside(spectrum, period, n);
-    if (!(amplitude > threshold.suspicious_m)) continue;
-    // Noise of a line and smallest visible line fall with the square root of the recording's length.
-    const double ratio = threshold.visible_m / amplitude;
-    return DoubtfulPeriod{n, amplitude, spectrum.turns * (ratio * ratio - 1)};
+    const auto [amplitude_m, noise] = highest_beside(spectrum, period, n);
+    if (!(amplitude_m > std::max(noise * threshold.suspicious_m, threshold.floor_m))) continue;
+    // The noise of a line, and the smallest visible line, fall with the square root of the recording length.
+    const double ratio = threshold.visible_m(noise) / amplitude_m;
+    return DoubtfulPeriod{n, amplitude_m, spectrum.turns * (ratio * ratio - 1)};
   }
   return std::nullopt;
 }
@@ -153,7 +180,7 @@ Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples
   const auto window = whole_periods(samples, static_cast<std::size_t>(n) * motion.per_turn);
   const int turns = static_cast<int>(window.size() / motion.per_turn);
   return {response::spectrum::full_spectrum(window, turns, workspace), motion.most_order_looked_at(),
-          motion.reading.thresholds.least_share};
+          motion.reading.thresholds.least_share, motion.reading.integration};
 }
 
 /// Whether the first and the second half of a motion, without slow modulation, have the same lines.
@@ -176,11 +203,11 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     if (n == 1) verdict.refused_modulation_m = once.refused_m;
     const Lines spectrum = spectrum_of_periods(motion, levelled.samples, n, workspace);
     const Threshold threshold = threshold_of(spectrum);
-    if (largest_beside(spectrum, n) > threshold.visible_m) continue;
+    if (is_visible_beside(spectrum, n, threshold)) continue;
     // A line near a multiple of 1/n looks like a slowly rotating line at this multiple.
     if (n > 1) {
-      verdict.order_room =
-          room_of_period(steady.samples, motion.per_turn, motion.reading, n, threshold.visible_m, workspace);
+      verdict.order_room = room_of_period(steady.samples, motion.per_turn, motion.reading, n,
+                                          {threshold.seen_m, threshold.floor_m}, workspace);
       if (!verdict.order_room) continue;
     }
     verdict.motion = n == 1 ? MeasuredClass::synchronous : MeasuredClass::subharmonic;
@@ -188,12 +215,13 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     verdict.turns = spectrum.turns;
     if (n > 1 && may_be_torus(verdict)) verdict.motion = MeasuredClass::subharmonic_or_torus;
     verdict.noise_m = threshold.noise_m;
-    verdict.visible_m = threshold.visible_m;
+    verdict.visible_m = threshold.visible_m();
     verdict.modulation_m = n == 1 ? once.modulation_m
                                   : std::hypot(once.modulation_m, steady.modulation_m, levelled.modulation_m);
     verdict.refused_modulation_m = 0;
-    verdict.beside_m = largest_beside(spectrum, n);
-    verdict.seen_m = threshold.seen_m;
+    const Beside beside = highest_beside(spectrum, n);
+    verdict.beside_m = beside.amplitude_m;
+    verdict.seen_m = beside.noise * threshold.seen_m;
     for (int m = 2 * n; m <= verdict.longest_period && !verdict.doubtful; m += n) {
       const Lines longer = spectrum_of_periods(motion, levelled.samples, m, workspace);
       verdict.doubtful = doubtful_period(longer, n, m, threshold_of(longer));
@@ -217,7 +245,8 @@ void take_orbit(std::span<const Complex> samples, std::size_t per_turn, Verdict&
   if (verdict.period) {
     const int n = *verdict.period;
     const std::size_t length = static_cast<std::size_t>(n) * per_turn;
-    verdict.orbit_m = mean_period(whole_periods(samples, length), length);
+    verdict.orbit_m =
+        recording::integrated(mean_period(whole_periods(samples, length), length), n, verdict.integration);
     verdict.lines = lines_of(verdict.orbit_m, n);
     return;
   }
@@ -227,7 +256,7 @@ void take_orbit(std::span<const Complex> samples, std::size_t per_turn, Verdict&
   verdict.noise_m *= fewer;
   verdict.visible_m *= fewer;
   const auto last = samples.last(static_cast<std::size_t>(turns) * per_turn);
-  verdict.orbit_m.assign(last.begin(), last.end());
+  verdict.orbit_m = recording::integrated({last.begin(), last.end()}, turns, verdict.integration);
   verdict.lines = lines_of(verdict.orbit_m, turns);
 }
 
@@ -259,12 +288,13 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
   Verdict verdict{.turns = turns,
                   .longest_period = longest_period_in(turns),
                   .noise_m = first.noise_m,
-                  .visible_m = first.visible_m,
-                  .thresholds = reading.thresholds};
+                  .visible_m = first.visible_m(),
+                  .thresholds = reading.thresholds,
+                  .integration = reading.integration};
   std::vector<Complex> samples;
   // Rounding may leave a small line in the recording of a shaft at standstill.
   const Complex farthest = std::ranges::max(displacement_m, {}, [](Complex z) { return std::abs(z); });
-  if (first.largest_m <= std::max(first.visible_m, 1e-12 * std::abs(farthest))) {
+  if (first.largest_m <= std::max(first.visible_m(), 1e-12 * std::abs(farthest))) {
     samples.assign(displacement_m.begin(), displacement_m.end());
     verdict.period = 1;
     verdict.motion = MeasuredClass::at_rest;
@@ -273,7 +303,7 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
   }
   if (!verdict.period)
     verdict.discrete_lines =
-        discrete_lines_of(samples, motion.per_turn, reading, verdict.visible_m, workspace);
+        discrete_lines_of(samples, motion.per_turn, reading, {first.seen_m, first.floor_m}, workspace);
   take_orbit(samples, motion.per_turn, verdict);
   add_uncertainties(reading, verdict);
   if (plane && verdict.motion != MeasuredClass::at_rest) {
@@ -286,8 +316,10 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
 }
 
 Verdict judge(const recording::Recording& recording, const Thresholds& thresholds) {
-  return judge(recording.displacement_m, recording::samples_per_revolution, recording.plane,
-               {recording.sampling_rate_hz / recording.mean_speed_hz(), recording.angle_doubt, thresholds});
+  return judge(recording.measured_m.empty() ? recording.displacement_m : recording.measured_m,
+               recording::samples_per_revolution, recording.plane,
+               {recording.sampling_rate_hz / recording.mean_speed_hz(), recording.angle_doubt, thresholds,
+                recording.integration});
 }
 
 }  // namespace rubsweep::scope

@@ -62,8 +62,8 @@ struct Verdict {
   std::optional<DoubtfulPeriod> doubtful{};
   /// Largest possible distance of a subharmonic's lines from the multiples of 1 / period, in orders.
   std::optional<double> order_room{};
-  double noise_m = 0;       ///< standard uncertainty of each component of a line
-  double visible_m = 0;     ///< smallest amplitude of a line that counts as visible
+  double noise_m = 0;       ///< standard uncertainty of each component of a line, where integrated that of 1X
+  double visible_m = 0;     ///< smallest amplitude of a line that counts, where integrated of 1X
   double modulation_m = 0;  ///< root mean square of the slow modulation of the period's lines
   /// Root mean square of the slow modulation of whole orders that exceeds the limit; it belongs to no period.
   double refused_modulation_m = 0;
@@ -77,6 +77,10 @@ struct Verdict {
   std::optional<response::spectrum::WhirlKind> whirl{};     ///< whirl direction, with two probes
   double forward_share = 0, forward_share_uncertainty = 0;  ///< share of the energy without 0X
   Thresholds thresholds{};                                  ///< limits that were used
+  recording::Integration integration{};                     ///< slope of the noise over the orders
+
+  /// Standard uncertainty of each component of the line at an order, by noise.
+  double noise_at(double order) const { return noise_m * integration.noise_at(order); }
 };
 
 inline constexpr int max_period = 8;
@@ -87,6 +91,7 @@ struct Reading {
   double readings_per_turn = INFINITY;  ///< > 0
   recording::AngleDoubt angle_doubt{};
   Thresholds thresholds{};
+  recording::Integration integration{};
 
   /// Largest share of a line that is lost by interpolation through six readings (recording/shaft_turns.hpp).
   double missed_share(double order) const;
@@ -110,7 +115,9 @@ bool may_be_torus(const Verdict& verdict);
 /// the smallest number n of turns for which all visible lines are multiples of 1/n. For each n the motion is
 /// resampled to repeat best, within the errors of the marks, and freed of the slow modulation of its lines
 /// (repeating_angles.hpp). Orders above 0.4 of the readings per turn are left out, because interpolation of
-/// the readings changes the noise there. See docs/method/recordings.md.
+/// the readings changes the noise there. With `reading.integration` the samples are derivatives of the
+/// displacement: their noise counts, and the orbit and its lines are integrated. See
+/// docs/method/recordings.md.
 Verdict judge(std::span<const std::complex<double>> displacement_m, int samples_per_revolution, bool plane,
               const Reading& reading = {});
 

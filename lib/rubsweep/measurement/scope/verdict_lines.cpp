@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
 
@@ -65,38 +66,48 @@ const DiscreteLine* line_of_bin(const Verdict& verdict, double order) {
 
 std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
                                             std::size_t samples_per_revolution, const Reading& reading,
-                                            double least_m,
+                                            LeastLine least,
                                             response::spectrum::SpectrumWorkspace& workspace) {
   const std::size_t turns = std::min(samples.size() / samples_per_revolution, most_resolved_turns);
   const auto per_turn = static_cast<double>(samples_per_revolution);
   const double highest = most_order_looked_at(reading) / per_turn;
   const auto found = response::spectrum::resolve_lines(
       samples.last(turns * samples_per_revolution),
-      {.most_lines = most_discrete_lines, .least_amplitude = least_m, .lowest = -highest, .highest = highest},
+      {.most_lines = most_discrete_lines,
+       .least_amplitude =
+           reading.integration.times == 0 ? std::max(least.seen_m, least.floor_m) : least.seen_m,
+       .lowest = -highest,
+       .highest = highest},
       workspace);
   const Scale scale = scale_of(found, per_turn, turns, reading.angle_doubt);
   std::vector<DiscreteLine> lines;
   for (const response::spectrum::ResolvedLine& line : found) {
-    const double order = scale.factor * line.frequency * per_turn, size = std::abs(line.amplitude);
+    const double order = scale.factor * line.frequency * per_turn;
+    // The line of the displacement, of one that was measured as a derivative.
+    const double integrated = reading.integration.noise_at(order),
+                 size = integrated * std::abs(line.amplitude);
+    if (std::abs(order) < reading.integration.lowest_order || size < least.floor_m) continue;
     lines.push_back(
         {order, std::hypot(line.frequency_uncertainty * per_turn, order * scale.uncertainty), size,
-         std::hypot(line.amplitude_uncertainty, reading.missed_share(order) * size),
-         // Phase at the beginning of the turns shown by the orbit.
-         std::arg(line.amplitude) +
+         std::hypot(integrated * line.amplitude_uncertainty, reading.missed_share(order) * size),
+         // Phase at the beginning of the turns that the orbit shows.
+         std::arg(line.amplitude) - std::copysign(reading.integration.times * std::numbers::pi / 2, order) +
              2 * std::numbers::pi * order *
                  static_cast<double>(turns - std::min(turns, std::size_t{most_aperiodic_turns}))});
   }
+  if (reading.integration.times > 0)
+    std::ranges::stable_sort(lines, std::greater{}, &DiscreteLine::amplitude_m);
   return lines;
 }
 
 std::optional<double> room_of_period(std::span<const Complex> samples, std::size_t samples_per_revolution,
-                                     const Reading& reading, int period, double visible_m,
+                                     const Reading& reading, int period, LeastLine least,
                                      response::spectrum::SpectrumWorkspace& workspace) {
   constexpr double hann_noise = 1.23;  // noise of a line under a Hann window / without a window
-  const auto lines =
-      discrete_lines_of(samples, samples_per_revolution, reading, hann_noise * visible_m, workspace);
-  // Limits of the angle by which the lines of a motion locked to the shaft may turn relative to the shaft
-  // during the recording.
+  const auto lines = discrete_lines_of(samples, samples_per_revolution, reading,
+                                       {hann_noise * least.seen_m, hann_noise * least.floor_m}, workspace);
+  // Limits up to which the lines of a motion locked to the shaft may rotate relative to it during the
+  // recording.
   constexpr double most_deviations = 2, most_turned = 0.02;
   const double bin = bin_of(samples.size() / samples_per_revolution);
   const auto nearest = [&](const DiscreteLine& line) { return std::lround(line.order * period); };
@@ -132,7 +143,7 @@ void add_uncertainties(const Reading& reading, Verdict& verdict) {
       const Complex true_m = own ? std::polar(own->amplitude_m, own->phase_rad) : Complex();
       method = std::hypot(method, own ? std::abs(line.amplitude_m - true_m) : leak_at(verdict, line.order));
     }
-    line.uncertainty_m = std::hypot(verdict.noise_m, method);
+    line.uncertainty_m = std::hypot(verdict.noise_at(line.order), method);
   }
 }
 

@@ -20,11 +20,17 @@ double most_order_looked_at(const Reading& reading);
 /// Number of turns at the end of the motion; lines between the bins are computed from them.
 inline constexpr std::size_t most_resolved_turns = 128;
 
-/// Lines larger than `least_m` at any place between the bins, from the last turns of the motion. Where the
-/// marks leave the angles open, the line locked to the shaft gets the order 1.
+/// Amplitude from which on a line at order 1 stands out of the noise, and floor of all orders.
+struct LeastLine {
+  double seen_m = 0, floor_m = 0;
+};
+
+/// Lines that stand out, by `least`, at any place between the bins, from the last turns of the motion. Where
+/// the marks leave the angles open, the line that turns with the shaft gets the order 1.
 std::vector<DiscreteLine> discrete_lines_of(std::span<const std::complex<double>> samples,
                                             std::size_t samples_per_revolution, const Reading& reading,
-                                            double least_m, response::spectrum::SpectrumWorkspace& workspace);
+                                            LeastLine least,
+                                            response::spectrum::SpectrumWorkspace& workspace);
 
 /// Largest possible distance, in orders, of a motion's visible lines from the multiples of 1 / period,
 /// including two standard uncertainties. It comes from the most accurate line. Only lines within a bin of a
@@ -33,7 +39,7 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const std::complex<double>
 /// recording.
 std::optional<double> room_of_period(std::span<const std::complex<double>> samples,
                                      std::size_t samples_per_revolution, const Reading& reading, int period,
-                                     double visible_m, response::spectrum::SpectrumWorkspace& workspace);
+                                     LeastLine least, response::spectrum::SpectrumWorkspace& workspace);
 
 /// Sets the uncertainty of every line in the table: noise and interpolation error. In a motion without a
 /// period, a bin also has the distance from its line, or the leakage of other lines if it has none.
