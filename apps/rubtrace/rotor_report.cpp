@@ -121,7 +121,11 @@ void add_shaft(const model::Machine& machine, const ReportSpeeds& speeds, const 
   report.files["rotor_parts.csv"] = rotor_parts_csv(machine);
   const bool given = machine.gravity_m_per_s2 > 0;
   const double gravity = given ? machine.gravity_m_per_s2 : design::standard_gravity_m_per_s2;
-  const design::StaticLine line = design::static_line(kit, design::stop_stations_m(machine), gravity);
+  // More stations change no number at the others, and show the curves between them.
+  constexpr int more = 60;
+  std::vector<double> stations_m = design::stop_stations_m(machine);
+  for (int k = 1; k < more && !kit.matrices; ++k) stations_m.push_back(k * model::shaft_length_m(kit) / more);
+  const design::StaticLine line = design::static_line(kit, stations_m, gravity);
   const bool held = line.deflection_m[0].allFinite() && line.deflection_m[1].allFinite();
   if (held) {
     report.files["static_line.csv"] = static_line_csv(line);
@@ -184,10 +188,13 @@ Report report_of(const RubtraceArguments& arguments, const model::Machine& machi
                  const ReportSpeeds& speeds) {
   Report report;
   const design::WholeRotor rotor(machine);
+  const model::RotorKit* kit = model::kit_of(machine);
+  const linear::FreeRotor shown =
+      kit != nullptr && !kit->matrices ? with_places_between(rotor.rotor()) : rotor.rotor();
   const std::vector<double> diagram_hz =
       batch::evenly_spaced(speeds.shown.from_hz, speeds.shown.to_hz, campbell_speeds);
   linear::CampbellTables campbell =
-      linear::tables_of(linear::campbell(rotor.rotor(), diagram_hz, 2 * speeds.shown.to_hz));
+      linear::tables_of(linear::campbell(shown, diagram_hz, 2 * speeds.shown.to_hz));
   report.files = {{"campbell.csv", std::move(campbell.campbell_csv)},
                   {"critical_speeds.csv", std::move(campbell.critical_speeds_csv)},
                   {"mode_shapes.csv", std::move(campbell.mode_shapes_csv)},
@@ -196,20 +203,20 @@ Report report_of(const RubtraceArguments& arguments, const model::Machine& machi
   const auto [unbalance_kg_m, described] = unbalance_for(arguments, rotor, machine, speeds.operating.to_hz);
   const Eigen::VectorXcd response = rotor.response(unbalance_kg_m, speeds.deflected_hz).col(0);
   if (response.allFinite()) {
-    report.files["deflected_shape.csv"] = deflected_shape_csv(rotor.rotor(), response);
+    report.files["deflected_shape.csv"] = deflected_shape_csv(shown, response);
     report.notes.push_back(
         {"deflected_shape", fmt::format("at {} with {}", model::speed_text(speeds.deflected_hz), described)});
   } else {
     report.notes.push_back({"deflected_shape", fmt::format("left out: {} is a resonance without damping",
                                                            model::speed_text(speeds.deflected_hz))});
   }
-  if (model::kit_of(machine) != nullptr) {
+  if (kit != nullptr) {
     add_shaft(machine, speeds, rotor, response, report);
   } else {
     for (const char* picture : {"rotor", "static_line", "critical_map", "mode_shapes"})
       report.notes.push_back({picture, "left out: a Jeffcott rotor is one disc and has no shaft"});
   }
-  add_stability(rotor, model::kit_of(machine) != nullptr, speeds.operating.to_hz, report);
+  add_stability(rotor, kit != nullptr, speeds.operating.to_hz, report);
   for (const ReportNote& one : report.notes)
     if (one.note.starts_with("left out")) report.summary += fmt::format("{} {}\n", one.picture, one.note);
   report.notes.push_back(

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
@@ -175,6 +178,38 @@ std::string stability_csv(std::span<const double> couplings_n_per_m,
     text += fmt::format("{},{},{}\n", csv_number(couplings_n_per_m[i]),
                         csv_number(decrements[i].frequency_hz), csv_number(decrements[i].decrement));
   return text;
+}
+
+linear::FreeRotor with_places_between(linear::FreeRotor rotor) {
+  constexpr double places_along_shaft = 60;
+  const std::vector<double> nodes = std::move(rotor.position_m);
+  const Eigen::Index n = rotor.x.cols();
+  rotor.position_m.clear();
+  std::vector<Eigen::RowVector4d> shares;  // of deflection and slope at the node before, and at the next one
+  std::vector<Eigen::Index> before;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const bool last = k + 1 == nodes.size();
+    const double length_m = last ? 0 : nodes[k + 1] - nodes[k];
+    const int parts =
+        static_cast<int>(std::ceil(places_along_shaft * length_m / (nodes.back() - nodes.front())));
+    for (int part = 0; part < std::max(parts, 1); ++part) {
+      const double t = static_cast<double>(part) / std::max(parts, 1), rest = 1 - t;
+      rotor.position_m.push_back(nodes[k] + t * length_m);
+      before.push_back(static_cast<Eigen::Index>(k));
+      shares.emplace_back(rest * rest * (1 + 2 * t), rest * rest * t * length_m, t * t * (3 - 2 * t),
+                          -t * t * rest * length_m);
+    }
+  }
+  rotor.x = rotor.y = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(before.size()), n);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    for (Eigen::Index k = 0; k < 4; ++k) {
+      if (shares[i](k) == 0) continue;
+      rotor.x(row, 4 * before[i] + 2 * k) = shares[i](k);
+      rotor.y(row, 4 * before[i] + 2 * k + 1) = shares[i](k);
+    }
+  }
+  return rotor;
 }
 
 std::string deflected_shape_csv(const linear::FreeRotor& rotor, const Eigen::VectorXcd& response) {

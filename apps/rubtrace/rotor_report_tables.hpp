@@ -45,6 +45,10 @@ std::string bearing_stiffness_csv(const model::RotorKit& kit, std::span<const do
 std::string stability_csv(std::span<const double> couplings_n_per_m,
                           const std::vector<design::Decrement>& decrements);
 
+/// The rotor of a kit without matrices, with further places between the nodes of its elements, whose cubics
+/// give the deflections there.
+linear::FreeRotor with_places_between(linear::FreeRotor rotor);
+
 /// Columns position_m, x_real, x_imag, y_real, y_imag of the response of all coordinates.
 std::string deflected_shape_csv(const linear::FreeRotor& rotor, const Eigen::VectorXcd& response);
 

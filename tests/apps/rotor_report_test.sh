@@ -35,7 +35,7 @@ expect_contains stderr 'map: holds a map'
 # expect_page PICTURES MISSING: so many pictures are on the page, so many are left out, and it asks no other host.
 expect_page() {
   local page=out/rotor_report.html
-  [[ $(grep -o '<img alt="[^"]*" src="data:image/svg+xml;base64,' "$page" | wc -l) == "$1" ]] || fail "not $1 pictures"
+  [[ $(grep -o '<img alt="[^"]*" src="data:image/png;base64,' "$page" | wc -l) == "$1" ]] || fail "not $1 pictures"
   [[ $(grep -c 'class="missing"' "$page" || true) == "$2" ]] || fail "not $2 pictures are missing"
   ! sed 's/src="data:[^"]*"//g' "$page" | grep -qE 'https?:|src=|<script|@import|url\(' || fail "$page asks for more"
 }
@@ -67,6 +67,7 @@ load = -sum(float(row["load_y_n"]) for row in rows)
 print(load, mass * 9.80665)
 sys.exit(abs(load / (mass * 9.80665) - 1) > 1e-6)
 PYTHON
+[[ $(count_rows out/deflected_shape.csv 'True') -gt 50 && $(count_rows out/mode_shapes.csv 'mode == 1') -gt 50 ]] || fail 'the shapes have corners'
 expect_contains out/report_notes.csv 'at 100 Hz (6000 rpm) with an eccentricity of 5 um'
 
 # A Jeffcott rotor has no shaft, but modes, stability and an orbit; --quiet prints nothing.

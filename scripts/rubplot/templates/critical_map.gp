@@ -8,15 +8,15 @@ curves = int(ARG4)
 array colour[6] = ["#CC6677", "#117733", "#DDAA33", "#AA4499", "#88CCEE", "#999933"]
 
 do for [format in formats] {
-  eval canvas(format, 1600, 1100, 'DejaVu Sans,20', 1.5)
+  eval canvas(format, 2000, 1100, 'DejaVu Sans,20', 1.5)
   reset
   set encoding utf8
   set minussign
   set label 1000 ARG1 at screen 0.5, 0.972 center font ":Bold,24" noenhanced
   set label 1003 ARG2 at screen 0.995, 0.015 right font ",13" noenhanced
   load "labels.gp"
-  set lmargin at screen 0.11
-  set rmargin at screen 0.89
+  set lmargin at screen 0.09
+  set rmargin at screen 0.91
   set bmargin at screen (ARG2 eq "" ? 0.105 : 0.125)
   set tmargin at screen (curves > 0 ? 0.84 - 0.035 * ((curves + 1) / 2) : 0.9)
   set border 3
@@ -33,7 +33,7 @@ do for [format in formats] {
     set object 1 rectangle from graph 0, first band_from to graph 1, first band_to behind fillcolor rgb "#EEEEDD" fillstyle solid noborder
     set label 1005 "operating range" at graph 0.01, first band_to left offset 0, -0.7 font ",15" textcolor rgb "#666644"
   }
-  set key at screen 0.11, screen 0.94 left top Left reverse noopaque samplen 2 maxcols 2 maxrows ((curves + 2) / 2) noenhanced
+  set key at screen 0.09, screen 0.94 left top Left reverse noopaque samplen 2 maxcols 2 maxrows ((curves + 2) / 2) noenhanced
   plot "modes" using 1:2 with lines linewidth 2.5 linecolor rgb "#332288" title "critical speed", \
     for [k = 0:curves - 1] sprintf("curve_%d", k) using 1:2 with lines linewidth 2.5 linecolor rgb colour[k + 1] \
       title value(sprintf("curve_name_%d", k))

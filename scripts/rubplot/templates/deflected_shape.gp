@@ -27,12 +27,12 @@ do for [format in formats] {
     unset label
     unset arrow
     set border 3
-    set lmargin at screen 0.69
+    set lmargin at screen 0.705
     set rmargin at screen 0.97
     set xrange [from:to]
     set yrange [0:1.1 * largest]
     set ytics nomirror out
-    set label 1004 sprintf("half of the major axis (%s)", ARG3) at screen 0.628, 0.48 center rotate by 90
+    set label 1004 sprintf("half of the major axis (%s)", ARG3) at screen 0.618, 0.48 center rotate by 90
     set key at screen 0.97, screen 0.885 right top
     plot "amplitude" using 1:2 with lines linewidth 2.5 linecolor rgb "#332288" notitle, \
       "bearings" using 1:(0) with points pointtype 9 pointsize 2.2 linecolor rgb "#117733" title (any_bearings ? "bearing" : "")

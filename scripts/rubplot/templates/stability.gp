@@ -33,7 +33,7 @@ do for [format in formats] {
   set arrow 2 from graph 0, first 0.1 to graph 1, first 0.1 nohead dashtype 3 linewidth 1 linecolor rgb "#777777"
   plot for [k = 1:(any_mixed ? 3 : 2)] "modes" using 1:($3 == k - 1 ? $2 : NaN) with lines linecolor rgb colour[k] dashtype dash[k] \
       linewidth 2.2 title direction[k], \
-    NaN with lines dashtype 3 linewidth 1 linecolor rgb "#777777" title "0.1"
+    NaN with lines dashtype 3 linewidth 1 linecolor rgb "#777777" title "0.1 (API 617)"
   unset label
   eval no_rpm
 

@@ -37,7 +37,7 @@ do for [format in formats] {
     set label 1004 name[panel] at screen 0.014, screen (top - height / 2) center rotate by 90
     plot for [plane = (any_x ? 1 : 2):2] "line" using 1:(column(2 * panel + plane - 1)) with lines linewidth 2.5 linecolor rgb colour[plane] \
         title (panel == 1 && any_x ? (plane == 1 ? "x" : "y") : ""), \
-      "bearings" using 1:(0) with points pointtype 9 pointsize 2 linecolor rgb "#117733" title (panel == 1 ? "bearing" : "")
+      "bearings" using 1:(0) with points pointtype 9 pointsize 2 linecolor rgb "#117733" title (panel == 1 && rows > 0 ? "bearing" : "")
     unset label
     unset arrow
     unset key
