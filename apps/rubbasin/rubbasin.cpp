@@ -64,9 +64,9 @@ config::RunConfig sliced_config(const RubbasinArguments& arguments, const Plane&
   plain.study.basin.reset();
   plain.study.robustness = sweep::Robustness::off;
   std::vector<std::string> overrides;  // the list holds the overrides of the command line
-  // An initial state in the configuration is kept. If there is none, an empty `start` is set, which replaces
-  // the kick.
-  if (has_state && !given.study.machine.start) overrides.emplace_back("start={}");
+  // An initial state in the configuration is kept. Without one, an empty `start` replaces the kick or `rest`.
+  const auto& start = given.study.machine.start;
+  if (has_state && (!start || start->at_rest)) overrides.emplace_back("start={}");
   overrides.push_back(fmt::format("sweep={{speed_hz: {{values: [{}]}}, {}: {{values: [{}]}}, x: {}, y: {}}}",
                                   arguments.cell.speed_hz, to_string(given.study.grid.measure),
                                   arguments.cell.unbalance, axes[0], axes[1]));

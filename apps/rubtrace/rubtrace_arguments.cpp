@@ -149,6 +149,31 @@ bool asks_for_probes(const po::variables_map& given) {
   return !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
 }
 
+/// Reads the operating range into the arguments of an experiment that has one.
+void read_operating(const po::variables_map& given, auto& arguments) {
+  const bool in_hz = given.count("operating-hz") != 0, in_rpm = given.count("operating-rpm") != 0;
+  if (in_hz && in_rpm) throw UsageError("--operating-hz and --operating-rpm exclude each other");
+  if (!in_hz && !in_rpm) return;
+  const char* option = in_hz ? "operating-hz" : "operating-rpm";
+  arguments.operating_option = fmt::format("--{}", option);
+  arguments.operating =
+      operating_range_of(option, given[option].as<std::string>(), in_hz ? 1 : model::rpm_per_hz);
+}
+
+/// Reads the arguments of the rotor report; its directory becomes that of the results.
+void read_rotor_report(const po::variables_map& given, RubtraceArguments& arguments) {
+  if (given.count("rotor-report") == 0) return;
+  const std::filesystem::path directory = given["rotor-report"].as<std::string>();
+  if (directory.empty()) throw UsageError("--rotor-report: allowed: the name of a directory");
+  if (given.count("output") != 0) throw UsageError("--output: --rotor-report names the directory itself");
+  RotorReportArguments report;
+  read_operating(given, report);
+  if (arguments.action == Action::run)
+    report.page.emplace(directory / "rotor_report.html", "rotor-report", Figure::Kind::page);
+  arguments.output = directory;
+  arguments.rotor_report = std::move(report);
+}
+
 /// Reads the arguments of the design check, and nothing else.
 void read_design_check(const po::variables_map& given, RubtraceArguments& arguments) {
   if (given.count("design-check") == 0) {

@@ -1,6 +1,8 @@
 #include "rubsweep/analysis/design/damped_stability.hpp"
 
 #include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 
@@ -25,16 +27,20 @@ std::optional<linear::WhirlMode> forward_mode(const linear::WhirlProblem& proble
   return std::nullopt;
 }
 
-/// Growth rate of the whirl `mode` under another coupling; `mode` becomes the whirl under this coupling.
-double growth_under(const structure::SpeedMatrices& without, const linear::FreeRotor& rotor,
-                    Eigen::Index place, double coupling_n_per_m, linear::WhirlMode& mode) {
+double decrement_of(const linear::WhirlMode& mode) {
+  return -2 * pi * mode.root_per_s.real() / mode.root_per_s.imag();
+}
+
+/// Makes `mode` the whirl that continues it under another coupling; false where it is lost.
+bool continues_under(const structure::SpeedMatrices& without, const linear::FreeRotor& rotor,
+                     Eigen::Index place, double coupling_n_per_m, linear::WhirlMode& mode) {
   constexpr double precision = 1e-11;  // the rounding of shaft elements is only slightly smaller
   structure::SpeedMatrices matrices = without;
   couple(matrices.stiffness, rotor, place, coupling_n_per_m);
   return structure::follow_free_mode(matrices, mode.root_per_s, mode.shape, precision);
 }
 
-/// Growth of the whirl that continues one under another coupling; the whirl is replaced.
+/// Growth rate of the whirl `mode` under another coupling; `mode` becomes the whirl under this coupling.
 double growth_under(const structure::SpeedMatrices& without, const linear::FreeRotor& rotor,
                     Eigen::Index place, double coupling_n_per_m, linear::WhirlMode& mode) {
   if (!continues_under(without, rotor, place, coupling_n_per_m, mode))

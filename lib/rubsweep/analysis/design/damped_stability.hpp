@@ -35,6 +35,12 @@ struct Decrement {
 std::optional<Decrement> first_forward(const linear::FreeRotor& rotor, std::span<const double> speeds_hz,
                                        double up_to_hz, Eigen::Index place = 0, double coupling_n_per_m = 0);
 
+/// Decrements of the first forward whirl at one speed, one for each of these couplings, which ascend. The
+/// whirl without coupling is followed as the coupling grows. There are fewer where it is lost, and none where no
+/// whirl below `up_to_hz` is forward.
+std::vector<Decrement> over_coupling(const linear::FreeRotor& rotor, double speed_hz, double up_to_hz,
+                                     Eigen::Index place, std::span<const double> couplings_n_per_m);
+
 /// Coupling at which the first forward whirl neither decays nor grows. It is 0 where the whirl grows without
 /// any coupling, and empty where no coupling up to 1e12 N/m makes it grow.
 std::optional<double> threshold_n_per_m(const linear::FreeRotor& rotor, double speed_hz, double up_to_hz,

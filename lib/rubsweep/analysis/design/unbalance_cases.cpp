@@ -20,34 +20,11 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double standard_gravity_m_per_s2 = 9.80665;
-
-double held_by(const model::Support& support) {
-  return std::min(support.stiffness_x_n_per_m, support.stiffness_y_n_per_m);
-}
-
 /// Places a vector of one plane among the coordinates of both planes.
 Eigen::VectorXd in_plane(const Eigen::VectorXd& of_plane, Index plane) {
   Eigen::VectorXd both = Eigen::VectorXd::Zero(2 * of_plane.size());
   both(Eigen::seqN(plane, of_plane.size(), 2)) = of_plane;
   return both;
-}
-
-/// Sets the static loads of the bearings. Only the bearings carry the shaft here, since seals adapt to the
-/// position of the rotor.
-void load_bearings(const structure::BeamShaft& shaft, const model::RotorKit& kit,
-                   std::vector<Bearing>& bearings) {
-  Eigen::MatrixXd stiffness = shaft.plane_stiffness(1);
-  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
-    if (!is_seal(kit, i)) continue;
-    const Eigen::VectorXd gap = structure::support_gap(shaft, kit, i);
-    stiffness -= kit.supports[i].stiffness_y_n_per_m * gap * gap.transpose();
-  }
-  const Eigen::VectorXd sag =
-      numerics::dense::solve(stiffness, Eigen::VectorXd(standard_gravity_m_per_s2 * shaft.weight_kg));
-  for (Bearing& bearing : bearings)
-    bearing.static_load_n = kit.supports[bearing.support].stiffness_y_n_per_m *
-                            structure::support_gap(shaft, kit, bearing.support).dot(sag);
 }
 
 /// Mass of a layer of a segment between two shares of its length.
@@ -130,10 +107,7 @@ void WholeRotor::add_shaft(const model::RotorKit& kit) {
     bearings_.push_back({load.support, kit.supports[load.support].position_m, -load.load_n[1],
                          in_plane(gap, 0), in_plane(gap, 1)});
   }
-  std::ranges::sort(bearings_, {}, &Bearing::position_m);
-  if (bearings_.empty()) return;
-  load_bearings(shaft, kit, bearings_);
-  weigh_overhangs(kit);
+  if (!bearings_.empty()) weigh_overhangs(kit);
 }
 
 void WholeRotor::weigh_overhangs(const model::RotorKit& kit) {

@@ -16,10 +16,6 @@ namespace rubsweep::design {
 /// mass in kg and divided by the maximum continuous speed in rpm.
 inline constexpr double unbalance_g_mm_rpm_per_kg = 4 * 6350;
 
-/// Whether a support carries no load, because the name of its element in a file of another program says so,
-/// or because it is a hundred times softer than the stiffest bearing.
-bool is_seal(const model::RotorKit& kit, std::size_t support);
-
 /// A bearing of a kit; seals do not count as bearings.
 struct Bearing {
   std::size_t support = 0;
