@@ -33,13 +33,21 @@ class FlightRun {
             std::shared_ptr<exact::modes::MachineModes<N>> modes)
       : flight_(with_linear_contacts(scene), std::move(modes), options.max_steps_per_revolution, true),
         contact_(scene, options),
-        touches_(contact_.touches()) {}
+        touches_(contact_.touches()),
+        max_steps_(options.max_steps_per_revolution),
+        max_evaluations_(run::most_evaluations_of_a_turn(options)) {}
 
   run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
-    return finish(report, make_turn(request, report));
+    const run::Effort before = effort();
+    most_steps_ = before.steps + max_steps_;
+    most_calls_ = before.rhs_calls + max_evaluations_;
+    const run::Outcome outcome = make_turn(request, report);
+    report.effort = effort();
+    return outcome;
   }
 
   void restart(std::span<const double> section) {
+    flies_ = true;
     flight_.restart(section);
     contact_.restart(section, 0);
     touches_ = contact_.touches();
@@ -48,7 +56,7 @@ class FlightRun {
  private:
   run::Outcome make_turn(const run::TurnRequest& request, run::TurnReport& report) {
     if (touches_ || !flies_) return from_contact(request, report);
-    section_ = flight_.section();
+    flight_.put_section(section_);
     const run::Outcome outcome = flight_.advance(request, report);
     if (outcome == run::Outcome::ok) return outcome;
     if (outcome == run::Outcome::unsaturated && flight_.handover().phase_rad > 0) {
@@ -79,6 +87,7 @@ class FlightRun {
   /// Contacts, flights and contacts until the turn is over.
   run::Outcome go_on(const run::TurnRequest& request, run::TurnReport& report) {
     for (;;) {
+      if (effort().steps >= most_steps_ || effort().rhs_calls >= most_calls_) return run::Outcome::step_limit;
       const run::Outcome ending = contact_.go_on(request, report, flies_);
       if (ending != run::Outcome::ok) return ending;
       if (contact_.at_end_of_turn()) break;
@@ -103,15 +112,14 @@ class FlightRun {
     return outcome;
   }
 
-  run::Outcome finish(run::TurnReport& report, run::Outcome outcome) const {
-    report.effort = flight_.effort() + contact_.effort();
-    return outcome;
-  }
+  run::Effort effort() const { return flight_.effort() + contact_.effort(); }
 
   exact::ExactRun<N> flight_;
   adaptive::AdaptiveRun<law::Dynamics<N, false>> contact_;
-  bool touches_;       ///< a contact touches at the start of the next turn
-  bool flies_ = true;  ///< closed forms of the flights exist
+  bool touches_;                          ///< a contact touches at the start of the next turn
+  bool flies_ = true;                     ///< closed forms of the flights exist
+  long max_steps_, max_evaluations_;      ///< limits for a turn
+  long most_steps_ = 0, most_calls_ = 0;  ///< efforts at which the present turn reaches its limits
   std::vector<double> section_;
   run::TurnRequest rest_;  ///< request with the tangent vectors at a touching
   Eigen::MatrixXd vectors_;

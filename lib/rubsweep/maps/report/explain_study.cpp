@@ -8,6 +8,7 @@
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
+#include "rubsweep/core/integrate/flight_run.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
@@ -51,11 +52,17 @@ std::string explain_beyond(const model::Machine& machine) {
   return "turns whose friction is not saturated";
 }
 
-bool exact(const sweep::Study& study) {
-  const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
-  const auto cell = scene::build_cell(study.machine, *slowest, scene::Eccentricity{0});
-  return integrate::solver_of(cell.scene, study.solver) == integrate::Solver::exact;
+scene::Scene slowest_scene(const sweep::Study& study) {
+  return scene::build_cell(study.machine, std::ranges::min(study.grid.speed_hz), scene::Eccentricity{0})
+      .scene;
 }
+
+bool exact(const sweep::Study& study) {
+  return integrate::solver_of(slowest_scene(study), study.solver) == integrate::Solver::exact;
+}
+
+/// Whether flights between contacts have closed forms though contacts have none.
+bool flies(const sweep::Study& study) { return integrate::may_fly(slowest_scene(study), study.solver); }
 
 std::string explain_solver(const sweep::Study& study) {
   const integrate::run::SolverOptions& solver = study.solver;
@@ -72,8 +79,9 @@ std::string explain_solver(const sweep::Study& study) {
     const bool curved =
         !std::ranges::all_of(study.machine.stops, [](const model::Stop& stop) { return stop.law.linear(); });
     const std::string_view why =
-        curved ? " (auto: the exact one knows linear contacts alone)"
-               : " (auto: the exact one takes no smoothed contact and at most six stops)";
+        flies(study) ? " (auto: contacts are not linear; closed forms between them)"
+        : curved     ? " (auto: the exact one knows linear contacts alone)"
+                     : " (auto: the exact one takes no smoothed contact and at most six stops)";
     text = fmt::format("solver: adaptive{}, ", chosen ? why : "");
   }
   text += fmt::format("{}, relative tolerance {}\n", integrate::adaptive::row_of(solver.stepper).description,

@@ -77,7 +77,10 @@ class AdaptiveRun {
     std::ranges::copy(section, step_.start.begin());
     book_.revolution = revolution;
     step_.start_phase = 0;
-    sizes_.restart();
+    sizes_.forget();
+    to_tangents(tangents_, [](auto& vectors) { vectors.forget(); });
+    retaken_ = false;
+    method_->restart();
     std::ranges::fill(dynamics_.modes(), contact::Mode::open);
     begin();
   }
@@ -141,9 +144,13 @@ class AdaptiveRun {
   const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
   bool touches() const { return StepObserver::touching(step_.start, dynamics_); }
   void put_tangents(Eigen::MatrixXd& vectors) {
+    if constexpr (has_step_tangents<Law>) {
+      if (tangents_.any()) {
+        vectors = tangents_.changes();
+        return;
+      }
+    }
     vectors.resize(static_cast<Eigen::Index>(step_.start.size()), 0);
-    if constexpr (has_step_tangents<Law>)
-      if (tangents_.any()) vectors = tangents_.changes();
   }
 
  private:
@@ -161,7 +168,7 @@ class AdaptiveRun {
 
   void begin() {
     dynamics_.follow(clock_.pulses());
-    clock_.begin_turn(0);
+    clock_.begin_turn(book_.revolution);
     dynamics_(step_.start, step_.start_rate, 0.0);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i)
       dynamics_.enter_by_state(i, step_.start, step_.start_rate);
@@ -229,6 +236,7 @@ class AdaptiveRun {
     std::optional<Crossing> crossing;
     if constexpr (!smoothed) crossing = first_crossing();
     if (crossing && retakes(*crossing)) return;
+    retaken_ = false;
     const auto state_at = [this](double phase) -> const State& {
       method_->state_at(right_hand_side_, step_, phase, probe_);
       return probe_;

@@ -19,6 +19,11 @@ class StepSizes {
 
   double next = first;
   void restart() { next = first; }
+  /// Restarts without memory of any mode.
+  void forget() {
+    restart();
+    std::ranges::fill(remembered_, 0.0);
+  }
 
   std::size_t joint_mode() const {
     std::size_t joint = 0;

@@ -62,6 +62,12 @@ class StepTangents final : public RightHandSide {
     keep_sticking(state);
   }
 
+  /// Forgets earlier turns.
+  void forget() {
+    last_.resize(0);
+    size_ = first_size;
+  }
+
   /// Moves the vectors over the step of the motion up to `end_phase`.
   void follow(StepMethod& motion, RightHandSide& of_motion, const Step& step, double end_phase) {
     motion_ = &motion, of_motion_ = &of_motion, step_ = &step;
@@ -166,7 +172,7 @@ class StepTangents final : public RightHandSide {
  private:
   using Vectors = Eigen::Map<Eigen::MatrixXd>;
   using ConstVectors = Eigen::Map<const Eigen::MatrixXd>;
-  static constexpr double smallest_size = 1e-14;
+  static constexpr double first_size = 1e-3, smallest_size = 1e-14;
   static constexpr int most_attempts = 100'000;  ///< limit for one step of the motion
   static constexpr long work_of_slopes = 3;
 
@@ -222,7 +228,7 @@ class StepTangents final : public RightHandSide {
   Eigen::Index count_ = 0;
   std::unique_ptr<StepMethod> method_;
   double tolerance_ = 0;
-  double size_ = 1e-3;  ///< next step to try
+  double size_ = first_size;  ///< next step to try
   Step inner_;
   StepMethod* motion_ = nullptr;
   RightHandSide* of_motion_ = nullptr;

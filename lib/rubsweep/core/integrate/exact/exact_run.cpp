@@ -86,9 +86,16 @@ run::Outcome ExactRun<N>::run_to_end(run::TurnReport& report) {
   book_.limit_steps(std::min(max_steps_, most_steps));
   run::Outcome ending = run::Outcome::ok;
   while (ending == run::Outcome::ok && !clock_.turn_is_over()) {
-    ending = book_.may_step()          ? go_on(report)
-             : max_steps_ > most_steps ? run::Outcome::no_closed_form
-                                       : run::Outcome::step_limit;
+    if (book_.may_step()) {
+      ending = go_on(report);
+    } else if (max_steps_ <= most_steps) {
+      ending = run::Outcome::step_limit;
+    } else if (flights_only_) {
+      hand_over(motion_.physical(), std::nullopt);
+      ending = run::Outcome::unsaturated;
+    } else {
+      ending = run::Outcome::no_closed_form;
+    }
   }
   if (ending == run::Outcome::ok) ending = end_turn(report);
   report.effort = book_.effort;
