@@ -22,9 +22,11 @@ using recording::Place;
 using recording::Recording;
 using std::numbers::pi;
 
-/// Root mean square within a band of readings that are differentiated (order > 0) or integrated (< 0).
-double rms_in(std::span<const double> readings, double rate_hz, Band band, int order) {
+/// Root mean square within a band of readings that are differentiated (order > 0) or integrated (< 0). Empty
+/// where a reading is missing.
+std::optional<double> rms_in(std::span<const double> readings, double rate_hz, Band band, int order) {
   const std::size_t count = readings.size();
+  if (!std::ranges::all_of(readings, [](double value) { return std::isfinite(value); })) return std::nullopt;
   if (count < 2) return 0;
   double mean = 0, weights = 0;
   for (const double value : readings) mean += value / static_cast<double>(count);
@@ -81,6 +83,8 @@ struct Judged {
 std::optional<Judged> judged(const Recording& recording, const std::vector<OverallValue>& values) {
   if (values.empty() || recording.place == Place::shaft_absolute) return std::nullopt;
   Judged largest{.velocity = recording.place == Place::casing};
+  const auto no_rms = [](const OverallValue& value) { return !value.velocity_rms_m_per_s; };
+  if (largest.velocity && std::ranges::any_of(values, no_rms)) return std::nullopt;
   for (const OverallValue& value : values)
     largest.value = std::max(largest.value, value.velocity_rms_m_per_s.value_or(value.peak_to_peak_m));
   if (!largest.velocity) largest.limits = shaft_limits(recording.mean_speed_hz());
@@ -189,7 +193,8 @@ std::string overall_text(const Recording& recording, const std::vector<OverallVa
     if (recording.integration.times == 2)
       text += fmt::format(", acceleration from {:g} to {:g} Hz", acceleration_band.from_hz,
                           std::min(acceleration_band.to_hz, recording.sampling_rate_hz / 2));
-    text += '\n';
+    const auto no_rms = [](const OverallValue& value) { return !value.velocity_rms_m_per_s; };
+    text += std::ranges::any_of(values, no_rms) ? "; no rms where readings are missing\n" : "\n";
   }
   if (const auto judged_value = judged(recording, values)) text += zone_text(*judged_value);
   return text;

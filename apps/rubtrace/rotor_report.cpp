@@ -18,6 +18,7 @@
 #include "rubsweep/analysis/linear/campbell.hpp"
 #include "rubsweep/analysis/linear/campbell_tables.hpp"
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
@@ -53,9 +54,15 @@ struct Report {
 std::pair<Eigen::VectorXcd, std::string> unbalance_for(const RubtraceArguments& arguments,
                                                        const design::WholeRotor& rotor,
                                                        const model::Machine& machine, double speed_hz) {
-  if (!arguments.place.has_unbalance() && rotor.configured_kg().isZero(0)) {
+  // An eccentricity is that of discs that stand off the axis.
+  if (!(model::g_mm_per_metre(machine) > 0)) {
+    if (arguments.place.has_unbalance()) {
+      throw ConfigError(
+          "--eccentricity-m and --unbalance-g-mm: no disc stands off the axis, allowed: at least one "
+          "eccentricity_ratio that is not 0");
+    }
     const auto cases = rotor.cases(0, speed_hz);
-    if (cases.size() < 2) throw ConfigError("rotor.unbalance: there is none, allowed: --eccentricity-m E");
+    if (cases.size() < 2) throw ConfigError("rotor: has no unbalance and no mode, allowed: an unbalance");
     return {cases[1].unbalance_kg_m,
             "four times the residual unbalance of API 617 where mode 1 deflects most, as no disc has any"};
   }
@@ -142,8 +149,11 @@ void add_shaft(const model::Machine& machine, const ReportSpeeds& speeds, const 
   }
   if (held && !line.loads.empty()) {
     std::vector<double> forces_n;
-    for (const design::Bearing& bearing : rotor.bearings())
-      forces_n.push_back(rotor.bearing_force_n(bearing, response, speeds.deflected_hz));
+    for (const design::BearingLoad& load : line.loads) {
+      const auto at = std::ranges::find(rotor.bearings(), load.support, &design::Bearing::support);
+      forces_n.push_back(
+          at == rotor.bearings().end() ? NAN : rotor.bearing_force_n(*at, response, speeds.deflected_hz));
+    }
     report.files["bearing_loads.csv"] = bearing_loads_csv(kit, line, forces_n);
     for (std::size_t i = 0; i < line.loads.size(); ++i) {
       const design::BearingLoad& load = line.loads[i];
@@ -178,10 +188,14 @@ void add_stability(const design::WholeRotor& rotor, bool shaft, double speed_hz,
   const std::string at = shaft ? fmt::format("at {:.4g} m", place_m) : "at the disc";
   report.notes.push_back(
       {"stability", fmt::format("cross-coupling {}, at {}", at, model::speed_text(speed_hz))});
-  report.summary += fmt::format(
-      "stability decrement {:.4g} at {}, {}\n", decrements.front().decrement, model::speed_text(speed_hz),
-      threshold ? fmt::format("cross-coupling of {:.4g} N/m {} takes it away", *threshold, at)
-                : "no cross-coupling takes it away");
+  std::string end = "no cross-coupling takes it away";
+  if (decrements.front().decrement <= 0) {
+    end = "it grows without any cross-coupling";
+  } else if (threshold) {
+    end = fmt::format("cross-coupling of {:.4g} N/m {} takes it away", *threshold, at);
+  }
+  report.summary += fmt::format("stability decrement {:.4g} at {}, {}\n", decrements.front().decrement,
+                                model::speed_text(speed_hz), end);
 }
 
 Report report_of(const RubtraceArguments& arguments, const model::Machine& machine,

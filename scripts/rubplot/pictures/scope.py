@@ -115,6 +115,9 @@ class ScopeRun:
         for row in self._rows[order]:
             amplitude = self.per_metre * self._number(row, f"{direction}_amplitude_m")
             phase = self._number(row, f"{direction}_phase_deg")
+            if phase is None:  # of a run-up without a mark
+                yield f"{self.speed.factor * self._number(row, 'speed_hz'):.17g} {amplitude:.17g} nan nan nan"
+                continue
             angle = math.radians(phase)
             before = phase = phases.beside(phase, before)
             yield f"{self.speed.factor * self._number(row, 'speed_hz'):.17g} {amplitude:.17g} {phase:.17g} {amplitude * math.cos(angle):.17g} {amplitude * math.sin(angle):.17g}"
@@ -138,6 +141,8 @@ class ScopeRun:
         curves = [(order, direction) for order in self.orders[:4] for direction in self.directions]
         files = {f"curve_{i}": self.curve(*curve) for i, curve in enumerate(curves)}
         files["names.gp"] = [f'name_{i} = "{order:g}X, {direction}"' for i, (order, direction) in enumerate(curves)]
+        phased = all(row[f"{direction}_phase_deg"] for rows in self._rows.values() for row in rows for direction in self.directions)
+        files["names.gp"].append(f"phased = {int(phased)}")
         files["spectra"] = self.spectra()
         return len(curves), files
 

@@ -1,7 +1,7 @@
 # Draws the run-up that pictures/scope.py lays out.
 # Arguments: HEADING CURVES UNIT RESONANCES SPEED_LABEL
-# Files: curve_N for each of the CURVES (speed, amplitude in UNIT, phase in degrees, x and y of the polar plot), names.gp,
-# spectra (order, half the width of a line, speed, its least and largest, amplitude).
+# Files: curve_N for each of the CURVES (speed, amplitude in UNIT, phase in degrees, x and y of the polar plot), names.gp
+# (also whether there are phases), spectra (order, half the width of a line, speed, its least and largest, amplitude).
 
 heading = ARG1
 curves = int(ARG2)
@@ -15,14 +15,18 @@ mark = "#999999"
 # Here, while no axis has a range.
 stats "spectra" using 6 name "S" nooutput
 stats file(0) using 1 name "V" nooutput
-stats file(0) using 4 name "X" nooutput
-stats file(0) using 5 name "Y" nooutput
-widest = 1.05 * (abs(X_min) > X_max ? abs(X_min) : X_max)
-widest = 1.05 * (abs(Y_min) > Y_max ? abs(Y_min) : Y_max) > widest ? 1.05 * (abs(Y_min) > Y_max ? abs(Y_min) : Y_max) : widest
+widest = 0
+if (phased) {
+  stats file(0) using 4 name "X" nooutput
+  stats file(0) using 5 name "Y" nooutput
+  widest = 1.05 * (abs(X_min) > X_max ? abs(X_min) : X_max)
+  widest = 1.05 * (abs(Y_min) > Y_max ? abs(Y_min) : Y_max) > widest ? 1.05 * (abs(Y_min) > Y_max ? abs(Y_min) : Y_max) : widest
+}
 if (curves > 1) {
   stats file(1) using 2 name "R" nooutput
   widest = 1.05 * R_max > widest ? 1.05 * R_max : widest
 }
+if (widest == 0) { widest = 1 }
 
 do for [format in formats] {
   eval canvas(format, 1600, 1100, 'DejaVu Sans,20', 1.5)
@@ -58,7 +62,9 @@ do for [format in formats] {
   set tmargin at screen 0.48
   set bmargin at screen 0.11
   set format x "% h"
-  set yrange [*:*]
+  if (phased) { set yrange [*:*] }
+  # A run-up without a mark has no phases.
+  if (!phased) { set yrange [-180:180] }
   set ytics 90
   set xlabel ARG5
   set label 2 "phase of 1X (deg)" at screen 0.015, 0.29 center rotate by 90

@@ -110,6 +110,7 @@ void add_sections(const BeamShaft& shaft, const std::vector<std::optional<Piece>
 
 bool is_seal(const model::RotorKit& kit, std::size_t support) {
   constexpr double holds_nothing = 0.01;
+  if (kit.supports[support].at_housing) return false;
   if (kit.supports[support].name.find("Seal") != std::string::npos) return true;
   double stiffest = 0;
   for (const model::Support& one : kit.supports)

@@ -90,12 +90,15 @@ std::vector<OrderPoint> order_history(const Recording& recording, double order, 
 std::string bode_csv(const Recording& recording, const std::vector<double>& orders) {
   std::string text = "t_s,speed_hz,order,x_amplitude_m,x_phase_deg";
   text += recording.plane ? ",y_amplitude_m,y_phase_deg\n" : "\n";
+  // A speed that follows the line of the shaft leaves the phase of this line unknown.
+  const auto phase = [&](std::complex<double> z) {
+    return csv_number(recording.phased ? lag_deg(z) : std::numeric_limits<double>::quiet_NaN());
+  };
   for (const double order : orders) {
     for (const OrderPoint& point : order_history(recording, order)) {
       text += fmt::format("{},{},{},{},{}", csv_number(point.t_s), csv_number(point.speed_hz),
-                          csv_number(order), csv_number(std::abs(point.x_m)), csv_number(lag_deg(point.x_m)));
-      if (recording.plane)
-        text += fmt::format(",{},{}", csv_number(std::abs(point.y_m)), csv_number(lag_deg(point.y_m)));
+                          csv_number(order), csv_number(std::abs(point.x_m)), phase(point.x_m));
+      if (recording.plane) text += fmt::format(",{},{}", csv_number(std::abs(point.y_m)), phase(point.y_m));
       text += '\n';
     }
   }
