@@ -82,8 +82,8 @@ class ColumnsTest(unittest.TestCase):
         cls.program("rubtrace", minimal, "--run-up", "50:60:5", "--eccentricity-m", 2e-4, "--with-stops", "--output", "rubtrace/rub")
         cls.program("rubtrace", kit, "--campbell", "0:100:3", "--output", "rubtrace/campbell")
         cls.program("rubtrace", kit, "--rotor-report", "rubtrace/report")
-        cls.program("rubtrace", minimal, "--design-check", "--operating-hz", "50:60", "--kick-speeds", 1, "--output",
-                    "rubtrace/design")
+        cls.program("rubtrace", minimal, "--design-check", "--operating-hz", "50:60", "--kick-speeds", 1,
+                    "--other-end", "rotor.damping_ratio=0.05", "--output", "rubtrace/design")
         cls.program("rubline", minimal, "--along", "speed_hz", "--from", 80, "--to", 90, "--count", 3, "--whirl-ratio", 0.6,
                     "--kick", "--up", "--output", "rubline/a")
         cls.program("rubbranch", one_side, "--cell", "75,0.4", "--from", 74, "--to", 76, "--curve", "whirl_ratio",

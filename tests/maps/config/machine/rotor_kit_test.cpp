@@ -82,6 +82,16 @@ TEST(RotorKit, WhatIsPrintedReadsBackTheSame) {
   }
 }
 
+TEST(RotorKit, ASupportMayHaveAName) {
+  for (const std::string name : {"Drive end", "a: \"b\", c"}) {
+    const RunConfig config = read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml",
+                                                  {"rotor.supports.0.name='" + name + "'"});
+    EXPECT_EQ(model::kit_of(config.study.machine)->supports[0].name, name);
+    const RunConfig again = read_run_config_text(print_config(config), "printed.yaml", {});
+    EXPECT_EQ(model::kit_of(again.study.machine)->supports[0].name, name);
+  }
+}
+
 TEST(RotorKit, ProblemsHaveTheirPlaces) {
   const auto message = [](const std::string& override) {
     return message_of(test_file("rotor_kit.yaml"), {override}, "kit.yaml");

@@ -94,6 +94,7 @@ void read_housing(yaml::Section& section, std::string_view name, std::optional<i
 }
 
 void read_support(yaml::Section& section, model::Support& support, const model::RotorKit& kit) {
+  if (const auto name = section.find("name")) support.name = read_text(*name).value_or("");
   read_inner(section, "pedestal", support.pedestal);
   if (const auto value = section.find("fault")) support.fault = read_bearing_fault(*value);
   read_housing(section, "at_housing", support.at_housing, kit.housings.size());
@@ -228,6 +229,7 @@ void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit, MatrixP
   print_parts(printer, "point_masses", kit.point_masses, nothing);
   print_parts(printer, "housings", kit.housings, nothing);
   print_parts(printer, "supports", kit.supports, [&](const model::Support& support) {
+    if (!support.name.empty()) printer.text("name", support.name);
     if (support.at_housing) printer.integer("at_housing", *support.at_housing);
     if (support.on_housing) printer.integer("on_housing", *support.on_housing);
     if (support.table) print_support_table(printer, *support.table);

@@ -53,7 +53,10 @@ Form supports() {
   return parts_of(
       joined(
           {std::move(numbers),
-           {table,
+           {newer_key(may("name", text(),
+                          "name in messages and tables; a name with 'Seal' in it carries no weight",
+                          "(none)")),
+            table,
             newer_key(
                 must("at_housing", housing, "number of the housing that it holds in place of the shaft")),
             newer_key(may("on_housing", housing, "number of the housing on which it stands", "(the ground)")),
