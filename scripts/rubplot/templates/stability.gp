@@ -32,7 +32,7 @@ do for [format in formats] {
   set arrow 1 from graph 0, first 0 to graph 1, first 0 nohead linewidth 1.2 linecolor rgb "#AA3311"
   set arrow 2 from graph 0, first 0.1 to graph 1, first 0.1 nohead dashtype 3 linewidth 1 linecolor rgb "#777777"
   if (!any_coupling) {
-    set label 1005 ARG5 at screen 0.5, 0.83 center font ",16" noenhanced
+    set label 1005 ARG5 at screen 0.075, 0.018 left font ",13" noenhanced
   }
   plot for [k = 1:(any_mixed ? 3 : 2)] "modes" using 1:($3 == k - 1 ? $2 : NaN) with lines linecolor rgb colour[k] dashtype dash[k] \
       linewidth 2.2 title direction[k], \

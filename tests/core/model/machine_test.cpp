@@ -168,7 +168,7 @@ TEST(MachineValidate, ReportsTheFirstOfSeveral) {
             "rotor.mass_kg: missing, allowed: a number > 0");
 }
 
-TEST(Kicks, ChangeTogetherInForceAndGoTogether) {
+TEST(MachineKicks, ChangeTogetherInForceAndGoTogether) {
   const Machine machine = valid_machine();
   EXPECT_EQ(with_kick_force(machine, 50).kick->force_n, 50);
   EXPECT_EQ(with_kick_force(machine, 50).kick->duration_s, machine.kick->duration_s);
@@ -181,7 +181,7 @@ TEST(Kicks, ChangeTogetherInForceAndGoTogether) {
   EXPECT_EQ(count, 1);
 }
 
-TEST(Kicks, AreRecognisedByThePathsOfTheirKeys) {
+TEST(MachineKicks, AreRecognisedByThePathsOfTheirKeys) {
   for (const char* path : {"kick.force_n", "kick.position_m", "kick"}) EXPECT_TRUE(is_of_kick(path)) << path;
   for (const char* path : {"kicked.force_n", "start.kick", "kic", ""}) EXPECT_FALSE(is_of_kick(path)) << path;
 }
