@@ -65,6 +65,13 @@ TEST(DampedStability, OverCouplingFollowsTheFirstForwardWhirl) {
   EXPECT_NEAR(of_kit[1].decrement, first_forward(kit, std::vector{40.0}, 200, 1, 300)->decrement, 1e-9);
 }
 
+/// The eigenvalue problem also knows faster whirl, whose decrement says nothing of the first one.
+TEST(DampedStability, FasterWhirlThanAskedForIsNone) {
+  const linear::FreeRotor disc = linear::free_rotor(scene::one_side_machine());  // 30 Hz
+  EXPECT_FALSE(first_forward(disc, std::vector{10.0}, 20));
+  EXPECT_TRUE(first_forward(disc, std::vector{10.0}, 31));
+}
+
 TEST(DampedStability, WhirlThatGrowsByItselfHasNoThreshold) {
   model::Machine machine = scene::one_side_machine();
   std::get<model::JeffcottRotor>(machine.rotor).rotating_damping_ratio = 0.05;

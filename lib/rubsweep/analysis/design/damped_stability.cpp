@@ -19,9 +19,12 @@ void couple(Eigen::MatrixXd& stiffness, const linear::FreeRotor& rotor, Eigen::I
   stiffness += coupling_n_per_m * (x.transpose() * y - y.transpose() * x);
 }
 
-std::optional<linear::WhirlMode> forward_mode(const linear::WhirlProblem& problem, double speed_hz) {
+/// First forward whirl of at most `up_to_hz`; the problem may know faster ones.
+std::optional<linear::WhirlMode> forward_mode(const linear::WhirlProblem& problem, double speed_hz,
+                                              double up_to_hz) {
   constexpr double gone_before_it_comes_round = 0.5;
   for (linear::WhirlMode& mode : problem.at(speed_hz).modes) {
+    if (mode.frequency_hz() > up_to_hz) break;
     if (mode.forward_share > 0.5 && mode.damping_ratio() < gone_before_it_comes_round) return std::move(mode);
   }
   return std::nullopt;
@@ -63,7 +66,7 @@ std::optional<Decrement> first_forward(const linear::FreeRotor& rotor, std::span
   const linear::WhirlProblem problem(coupled, speeds_hz, up_to_hz);
   std::optional<Decrement> least;
   for (const double speed_hz : speeds_hz) {
-    const auto mode = forward_mode(problem, speed_hz);
+    const auto mode = forward_mode(problem, speed_hz, up_to_hz);
     if (!mode) continue;
     const double decrement = decrement_of(*mode);
     if (!least || decrement < least->decrement) least = Decrement{speed_hz, mode->frequency_hz(), decrement};
@@ -74,7 +77,7 @@ std::optional<Decrement> first_forward(const linear::FreeRotor& rotor, std::span
 std::vector<Decrement> over_coupling(const linear::FreeRotor& rotor, double speed_hz, double up_to_hz,
                                      Eigen::Index place, std::span<const double> couplings_n_per_m) {
   const std::vector<double> speeds{speed_hz};
-  auto mode = forward_mode(linear::WhirlProblem(rotor, speeds, up_to_hz), speed_hz);
+  auto mode = forward_mode(linear::WhirlProblem(rotor, speeds, up_to_hz), speed_hz, up_to_hz);
   if (!mode) return {};
   const double w = 2 * pi * speed_hz;
   const structure::SpeedMatrices without = structure::matrices_at(rotor.full, w, w);
@@ -91,7 +94,7 @@ std::optional<double> threshold_n_per_m(const linear::FreeRotor& rotor, double s
   constexpr double first_n_per_m = 1, most_n_per_m = 1e12;
   const std::vector<double> speeds{speed_hz};
   std::optional<linear::WhirlMode> mode =
-      forward_mode(linear::WhirlProblem(rotor, speeds, up_to_hz), speed_hz);
+      forward_mode(linear::WhirlProblem(rotor, speeds, up_to_hz), speed_hz, up_to_hz);
   if (!mode) return std::nullopt;
   double growth = mode->root_per_s.real();
   if (growth >= 0) return 0;

@@ -107,7 +107,8 @@ void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rot
 Term decrement_term(std::string check, const std::optional<Decrement>& found) {
   Term term{std::move(check), ""};
   if (!found) {
-    term.not_told = "no forward whirl up to twice the maximum continuous speed";
+    term.not_told =
+        "no forward whirl of less than half of critical damping up to twice the maximum continuous speed";
     return term;
   }
   term.speed_hz = found->speed_hz;
