@@ -90,7 +90,7 @@ TEST_P(RecordingFileMatlabFile, WhatIsLeftOutIsTold) {
             " ('picture' is 300 x 257, more than 256 signals, 'x' has 2 of 3 numbers)");
 }
 
-/// A vector, which whoever takes it frees.
+/// Creates a vector. The receiver must free it.
 matvar_t* vector(const char* name, std::vector<double> values) {
   std::array<std::size_t, 2> dims{values.size(), 1};
   return Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims.data(), values.data(), 0);

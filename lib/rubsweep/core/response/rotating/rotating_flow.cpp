@@ -13,9 +13,9 @@
 namespace rubsweep::response::rotating {
 namespace {
 
-/// Accuracy from which a flow counts as rough: neither its derivative nor its motion then needs to be much
-/// better, so that fewer terms and longer steps suffice. Newton's iteration still gains a factor of a
-/// thousand.
+/// A flow with a tolerance of `rough_from` or more is rough. The accuracy of its series is then only this
+/// share of the tolerance, so that fewer terms and longer steps suffice. Each step of Newton's iteration still
+/// reduces the error a thousandfold.
 constexpr double rough_from = 1e-7, share_of_tolerance = 1e-3;
 
 double series_accuracy_for(double tolerance) {
