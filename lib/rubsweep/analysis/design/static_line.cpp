@@ -76,8 +76,8 @@ NodeForces node_forces(const BeamShaft& shaft, const model::RotorKit& kit, std::
   return forces;
 }
 
-/// Computes the internal forces of one plane by equilibrium, from the first node to the last, and adds them to
-/// `sections`, which may already hold the forces of the other plane.
+/// Computes the internal forces of one plane by equilibrium, from the first node to the last, and adds them
+/// to `sections`, which may already hold the forces of the other plane.
 void add_sections(const BeamShaft& shaft, const std::vector<std::optional<Piece>>& pieces, NodeForces forces,
                   double acceleration_m_per_s2, std::size_t plane, std::vector<Section>& sections) {
   const std::size_t nodes = pieces.size();

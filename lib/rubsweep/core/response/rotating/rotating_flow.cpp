@@ -14,8 +14,8 @@ namespace rubsweep::response::rotating {
 namespace {
 
 /// A flow with a tolerance of `rough_from` or more is rough. The accuracy of its series is then only this
-/// share of the tolerance, so that fewer terms and longer steps suffice. Each step of Newton's iteration still
-/// reduces the error a thousandfold.
+/// share of the tolerance, so that fewer terms and longer steps suffice. Each step of Newton's iteration
+/// still reduces the error a thousandfold.
 constexpr double rough_from = 1e-7, share_of_tolerance = 1e-3;
 
 double series_accuracy_for(double tolerance) {
