@@ -145,7 +145,9 @@ char zone_of(double value, const ZoneLimits& limits) {
 std::vector<OverallValue> overall_values(const Recording& recording) {
   std::vector<OverallValue> values;
   for (const recording::ProbeSignal& probe : recording.probes) {
-    OverallValue& value = values.emplace_back(probe.column, peak_to_peak_m(recording, probe.angle_deg));
+    OverallValue& value = values.emplace_back();
+    value.column = probe.column;
+    value.peak_to_peak_m = peak_to_peak_m(recording, probe.angle_deg);
     const int times = recording.integration.times;
     if (recording.place == Place::casing)
       value.velocity_rms_m_per_s = rms_in(probe.values, recording.sampling_rate_hz,

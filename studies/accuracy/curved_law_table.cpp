@@ -66,7 +66,7 @@ std::vector<std::string> laws_of(const RandomMachine& machine) {
     laws.emplace_back(machine.scene.contacts[i].friction.index() == 0 ? "no friction" : "friction");
   }
   std::ranges::sort(laws);
-  laws.erase(std::ranges::unique(laws).begin(), laws.end());
+  laws.erase(std::unique(laws.begin(), laws.end()), laws.end());
   return laws;
 }
 
