@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,12 +15,15 @@
 
 #include "rubsweep/analysis/design/design_check.hpp"
 #include "rubsweep/analysis/design/design_tables.hpp"
+#include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/place_arguments.hpp"
@@ -32,9 +36,9 @@ namespace rubsweep::apps {
 namespace {
 
 /// All files that a design check may write.
-constexpr std::array<std::string_view, 6> check_file_names{
-    "config.yaml",     "design_check.csv", "unbalance_response.csv",
-    "lock_speeds.csv", "kicks.csv",        "design_check_other_end.csv"};
+constexpr std::array<std::string_view, 7> check_file_names{
+    "config.yaml", "design_check.csv",           "unbalance_response.csv", "lock_speeds.csv",
+    "kicks.csv",   "design_check_other_end.csv", "config_other_end.yaml"};
 
 /// Number of speeds at which the rotor's stability without stops is checked.
 constexpr int premise_speeds = 121;
@@ -56,20 +60,6 @@ void warn_of(const design::SpeedRange& operating, const sweep::Study& study,
                       study, prepared);
 }
 
-/// Check of the machine at the other end of its bearings' clearances; empty where none is given.
-std::optional<design::DesignCheck> check_other_end(const RubtraceArguments& arguments) {
-  const std::vector<std::string>& differs = arguments.design_check->other_end;
-  if (differs.empty()) return std::nullopt;
-  std::vector<std::string> overrides = arguments.overrides;
-  overrides.insert(overrides.end(), differs.begin(), differs.end());
-  const config::RunConfig other = config::read_run_config(arguments.config, overrides);
-  ask("rubtrace", other.questions, arguments.quiet);
-  const scene::PreparedMachine prepared = scene::prepare_machine(other.study.machine);
-  const design::DesignQuestions questions = questions_of(arguments, other.study);
-  if (!arguments.quiet) warn_of(questions.operating, other.study, prepared);
-  return design::check_design(other.study, prepared, questions);
-}
-
 std::string_view word_of(design::Answer answer) {
   constexpr std::array<std::string_view, 3> words{"pass", "NOT MET", "not told"};
   return words[static_cast<std::size_t>(answer)];
@@ -88,7 +78,38 @@ std::string page_of(const RubtraceArguments& arguments, const design::DesignChec
       fmt::join(arguments.design_check->other_end, ", "), design::design_page(*other, arguments.shown));
 }
 
+/// Configuration at the other end of the clearances; messages name the option that its values come from.
+config::RunConfig read_other_config(const RubtraceArguments& arguments) {
+  const std::vector<std::string>& differs = arguments.design_check->other_end;
+  std::vector<std::string> overrides = arguments.overrides;
+  overrides.insert(overrides.end(), differs.begin(), differs.end());
+  try {
+    return config::read_run_config(arguments.config, overrides);
+  } catch (const ConfigError& error) {
+    std::string text = error.what();
+    for (const std::string& one : differs) {
+      const std::string value = config::yaml::shown(one, 200);
+      boost::algorithm::replace_all(text, "--set " + value, "--other-end " + value);
+    }
+    throw ConfigError(text);
+  }
+}
+
 }  // namespace
+
+std::optional<OtherEnd> read_other_end(const RubtraceArguments& arguments) {
+  if (arguments.design_check->other_end.empty()) return std::nullopt;
+  const config::RunConfig config = read_other_config(arguments);
+  ask("rubtrace", config.questions, arguments.quiet);
+  OtherEnd other{config, scene::prepare_machine(config.study.machine), questions_of(arguments, config.study)};
+  const model::Machine& machine = config.study.machine;
+  const auto [from_hz, to_hz] = design::whole_range(machine, other.questions.operating);
+  structure::refuse_beyond_tables(machine, from_hz, to_hz);
+  if (!other.questions.eccentricity_m)
+    other.questions.eccentricity_m = design::analysis_eccentricity_m(machine, to_hz);
+  if (!arguments.quiet) warn_of(other.questions.operating, config.study, other.prepared);
+  return other;
+}
 
 design::SpeedRange operating_range(const DesignCheckArguments& arguments, const sweep::Study& study) {
   if (arguments.operating) {
@@ -109,10 +130,13 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
   batch::require_threads(questions.threads);
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   if (!arguments.quiet) warn_of(questions.operating, study, prepared);
+  const std::optional<OtherEnd> other_end = read_other_end(arguments);
   const ResultDirectory made(directory, check_file_names);
   std::optional<WorkingTime> working(std::in_place, "rubtrace", "checks the design", !arguments.quiet);
   const design::DesignCheck check = design::check_design(study, prepared, questions);
-  const std::optional<design::DesignCheck> other = check_other_end(arguments);
+  std::optional<design::DesignCheck> other;
+  if (other_end)
+    other = design::check_design(other_end->config.study, other_end->prepared, other_end->questions);
   working.reset();
   design::DesignTables tables = design::tables_of(check);
   batch::ResultFiles files{
@@ -121,7 +145,8 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
       {"unbalance_response.csv", std::move(tables.unbalance_response_csv)},
       {"lock_speeds.csv", std::move(tables.lock_speeds_csv)},
       {"kicks.csv", std::move(tables.kicks_csv)},
-      {"design_check_other_end.csv", other ? design::tables_of(*other).design_check_csv : std::string()}};
+      {"design_check_other_end.csv", other ? design::tables_of(*other).design_check_csv : std::string()},
+      {"config_other_end.yaml", other ? config::print_config(other_end->config) : std::string()}};
   std::erase_if(files, [](const auto& file) { return file.second.empty(); });
   {
     const InterruptsWait whole_set;

@@ -40,6 +40,7 @@ AskedExperiment over_speeds(const std::string& text, double from_hz, double to_h
 
 AskedExperiment experiment_of(const RubtraceArguments& arguments, const sweep::Study& study) {
   if (arguments.design_check) {
+    read_other_end(arguments);
     const design::SpeedRange operating = operating_range(*arguments.design_check, study);
     return over_speeds("design check over the operating range, ", operating.from_hz, operating.to_hz);
   }

@@ -83,9 +83,18 @@ expect_whole_table ends/design_check_other_end.csv
 [[ $(count_rows ends/design_check_other_end.csv "check == 'level_2' and verdict == 'not_met'") == 1 ]] || fail 'the other end is not told'
 [[ $(count_rows ends/design_check.csv "verdict == 'not_met'") == 0 ]] || fail 'the first end is mixed with the other'
 expect_exit 0 "$minimal" --design-check --kick-speeds 0 --stage none --require-pass --other-end rotor.damping_ratio=0.05 --output ends
-expect_exit 2 "$minimal" --design-check --other-end rotor.damping=1 --output ends
+"${rubsweep%/*}/rubsweep" --verify ends >stdout || fail 'the results are not whole'
+expect_contains stdout config_other_end.yaml
+sed -i 's/damping_ratio: 0.05/damping_ratio: 0.06/' ends/config_other_end.yaml
+"${rubsweep%/*}/rubsweep" --verify ends >stdout 2>stderr && fail 'a changed configuration of the other end is whole'
+expect_exit 2 "$minimal" --design-check --other-end rotor.damping=1 --output refused
+expect_contains stderr '--other-end rotor.damping=1: '
+expect_missing refused
+expect_exit 2 "$minimal" --check --design-check --other-end rotor.damping_ratio=-1
+expect_contains stderr '--other-end rotor.damping_ratio=-1: rotor.damping_ratio: '
 expect_exit 0 "$minimal" --design-check --kick-speeds 0 --stage none --output ends
 expect_missing ends/design_check_other_end.csv
+expect_missing ends/config_other_end.yaml
 
 # Supports by tables: clearances from where the tables begin.
 expect_exit 0 "$table" --design-check --kick-speeds 0 --operating-hz 50:100 --output table
