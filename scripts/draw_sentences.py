@@ -29,22 +29,23 @@ def sentences(path):
 
 
 def comments(path):
-    """Pairs of line and comment of a source of C++: lines that belong together are one, a trailing comment is one."""
-    found, open_at, words, trails = [], 0, [], False
+    """Pairs of line and comment of a source of C++. Own-line comments that follow one another are one; a trailing comment goes on
+    in the lines below that have nothing but a comment in the same column."""
+    found, open_at, words, trails_in = [], 0, [], None  # the column of a trailing comment
     for number, line in enumerate(path.read_text(encoding="utf-8").split("\n") + [""], 1):
-        whole = re.match(r"\s*//[/!]?<?\s?(.*)", line)
-        trailing = re.match(r"[^\"]*?\S[^\"]*?\s///?<?\s(.*)", line)
-        if whole:
-            if words and trails and re.match(r"\s*///(?!<)", line):  # the comment of the next declaration
-                found.append((open_at, " ".join(words).strip()))
-                open_at, words, trails = 0, [], False
+        whole = re.match(r"\s*(//[/!]?<?)\s?(.*)", line)
+        trailing = re.match(r"[^\"]*?\S[^\"]*?\s(///?<?)\s(.*)", line)
+        if whole and (trails_in is None or whole.start(1) == trails_in):
             open_at = open_at or number
-            words.append(whole[1])
+            words.append(whole[2])
             continue
         if words:
             found.append((open_at, " ".join(words).strip()))
-        open_at, words = (number, [trailing[1]]) if trailing and not trailing[1].startswith("namespace ") else (0, [])
-        trails = "///<" in line
+        open_at, words, trails_in = 0, [], None
+        if whole:
+            open_at, words = number, [whole[2]]
+        elif trailing and not trailing[2].startswith("namespace "):
+            open_at, words, trails_in = number, [trailing[2]], trailing.start(1)
     return [(line, text) for line, text in found if len(text.split()) > 1]
 
 

@@ -16,8 +16,8 @@ struct OverallValue {
   std::string column;
   /// Mean over stretches of eight turns of the distance from lowest to highest displacement.
   double peak_to_peak_m = 0;
-  std::optional<double> velocity_rms_m_per_s{};       ///< of a casing, in velocity_band_hz
-  std::optional<double> acceleration_rms_m_per_s2{};  ///< of an accelerometer, in acceleration_band_hz
+  std::optional<double> velocity_rms_m_per_s{};       ///< casing's velocity in velocity_band_hz
+  std::optional<double> acceleration_rms_m_per_s2{};  ///< accelerometer's reading in acceleration_band_hz
 };
 
 struct Band {

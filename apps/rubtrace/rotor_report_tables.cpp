@@ -185,7 +185,7 @@ linear::FreeRotor with_places_between(linear::FreeRotor rotor) {
   const std::vector<double> nodes = std::move(rotor.position_m);
   const Eigen::Index n = rotor.x.cols();
   rotor.position_m.clear();
-  std::vector<Eigen::RowVector4d> shares;  // of deflection and slope at the node before, and at the next one
+  std::vector<Eigen::RowVector4d> shares;  // weights of deflection and slope at both ends
   std::vector<Eigen::Index> before;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const bool last = k + 1 == nodes.size();

@@ -99,6 +99,12 @@ class Draws(unittest.TestCase):
                           'call("http://x y");\n}  // namespace rubsweep\n// last one\n')
         self.assertEqual(found, [(1, "A whole comment."), (3, "a trailing one"), (6, "last one")])
 
+    def test_a_trailing_comment_goes_on_in_its_column_only(self):
+        for mark in ("//", "///<"):
+            found = self.read(draw_sentences.comments, "a.hpp", f"  int a;  {mark} begins here\n          {mark} and ends\n"
+                              f"  // Comment of b.\n  int b;  {mark} short one\n  /// Comment\n  /// of c.\n  int c;\n")
+            self.assertEqual(found, [(1, "begins here and ends"), (3, "Comment of b."), (4, "short one"), (5, "Comment of c.")])
+
     def test_a_seed_gives_one_sample(self):
         draw = lambda seed: subprocess.run([sys.executable, "-B", SCRIPTS / "draw_sentences.py", "sentences", "--count", "5", "--seed",
                                             str(seed), TOP / "README.md"], check=True, capture_output=True, text=True).stdout
