@@ -31,7 +31,7 @@ struct Largest {
 /// critical speeds, in proportion to the width of these resonances.
 std::vector<double> response_speeds(const SpeedRange& range, std::span<const linear::CriticalSpeed> critical);
 
-/// Given speeds (ascending) that lie in a range, and both ends of the range.
+/// Speeds of an ascending list that lie in a range, and both ends of the range.
 std::vector<double> within(const SpeedRange& range, std::span<const double> speeds_hz);
 
 /// Largest `value` over the range of `speeds_hz`, which ascend. Samples are taken at these speeds. Around

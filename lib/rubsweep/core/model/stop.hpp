@@ -67,8 +67,8 @@ struct AnnularGeometry {
 };
 
 /// Kinds of stops. Each has its `name` and its keys in a configuration. `problem` judges its numbers together
-/// with the clearance of the stop. `share_of_x` is the mean square of the x component of its normals: by it
-/// the modal masses of both planes give the mass behind the contact.
+/// with the clearance of the stop. `share_of_x` is the mean square of the x component of its normals, the
+/// weight of plane x where the inverse modal masses of both planes make that of the mass behind the contact.
 using StopGeometry = std::variant<OneSideGeometry, AnnularGeometry>;
 
 /// Word of the kind of a stop.

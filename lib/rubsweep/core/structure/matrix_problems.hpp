@@ -12,7 +12,7 @@ namespace rubsweep::structure {
 /// Property of given matrices that no shaft model can have.
 struct MatrixProblem {
   std::string key;             ///< mass, stiffness, damping, gyroscopic, unbalance or degrees_of_freedom
-  std::string wrong, allowed;  ///< end of a sentence about the key, and of "allowed: "
+  std::string wrong, allowed;  ///< text of a message behind the key, and behind "allowed: "
   std::optional<std::size_t> degree_of_freedom = std::nullopt;  ///< index of the coordinate to blame
 };
 

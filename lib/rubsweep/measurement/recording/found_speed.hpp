@@ -6,7 +6,7 @@
 
 namespace rubsweep::recording {
 
-inline constexpr double most_speed_error = 0.02;  ///< Largest relative error of the described speed.
+inline constexpr double most_speed_error = 0.02;  ///< Largest relative error of the given speed.
 
 /// Speed of a shaft without a mark, estimated from the probes.
 struct FoundSpeed {
