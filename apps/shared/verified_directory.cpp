@@ -176,8 +176,7 @@ class Verification {
     try {
       configuration_ = read_(directory_ / config_file);
     } catch (const std::runtime_error& error) {
-      fault(error.what());
-      return;
+      return fault(error.what());
     }
     if (!as_written_.contains(config_file)) verdict_.files.emplace_back(config_file);
   }
@@ -285,8 +284,7 @@ class Verification {
   std::map<std::string, std::set<std::string>, std::less<>> sums_;  ///< checksums of files, given by tables
   std::set<std::string, std::less<>> as_written_;                   ///< files whose digest agrees
   std::vector<std::string> pages_;                                  ///< pages that are undamaged
-  /// text of report.html, if this program wrote it
-  std::string page_;
+  std::string page_;  ///< text of report.html, if this program wrote it
   VerifiedConfiguration configuration_;
   std::string digest_;  ///< digest of the study that the files belong to
   DirectoryVerdict verdict_;

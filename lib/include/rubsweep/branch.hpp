@@ -28,4 +28,4 @@
 
 #include "rubsweep/analysis/branch/continuation/branch_point.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
-#include "rubsweep/analysis/branch/orbits/settled_start.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"

@@ -17,7 +17,7 @@
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/constant_load.hpp"
 #include "rubsweep/core/scene/given_start.hpp"
-#include "rubsweep/core/scene/two_orders.hpp"
+#include "rubsweep/core/scene/quiet_motion.hpp"
 #include "rubsweep/core/structure/assembly.hpp"
 
 namespace rubsweep::scene {
@@ -97,38 +97,32 @@ void add_kicks(Scene& scene, const PreparedMachine& prepared, const Eigen::Vecto
   });
 }
 
-/// Phase factor that puts the largest normal excursion at the first stop at t = 0.
-std::complex<double> phase_to_smallest_gap(const QuietMotion& unit, const structure::LinearSystem& system,
-                                           const Contact& first, const Eigen::Vector2d& wall) {
-  const Eigen::RowVectorXd row = wall.transpose() * relative_map(system, first);
-  const std::complex<double> amplitude = row.cast<std::complex<double>>() * unit.amplitude;
-  if (unit.second_amplitude.size() > 0) {
-    const std::complex<double> second = row.cast<std::complex<double>>() * unit.second_amplitude;
-    return std::polar(1.0, largest_value(amplitude, second).phase_rad);
-  }
-  const double modulus = std::abs(amplitude);
-  return modulus > 0 && std::isfinite(modulus) ? std::conj(amplitude) / modulus : 1.0;
-}
-
-/// Sets both measures of the unbalance. `remaining_m`: clearance that static forces leave at the first stop.
-/// Where this is not positive, or the amplitude is unbounded, the measure that is not given becomes NaN.
-void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, double amplitude_per_m) {
-  const bool related = remaining_m > 0 && std::isfinite(amplitude_per_m);
+/// Sets both measures of the unbalance, each as computed from the other. Where they are not `related`, the
+/// measure that is not given becomes NaN.
+void set_measures(Cell& cell, const Unbalance& unbalance, bool related, const auto& eccentricity_of,
+                  const auto& whirl_ratio_of) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   std::visit(overloaded{[&](const WhirlRatio& ratio) {
                           cell.whirl_ratio = ratio.value;
-                          cell.eccentricity_m = related ? ratio.value * remaining_m / amplitude_per_m : none;
+                          cell.eccentricity_m = related ? eccentricity_of(ratio.value) : none;
                         },
                         [&](const Eccentricity& eccentricity) {
                           cell.eccentricity_m = eccentricity.value_m;
-                          cell.whirl_ratio =
-                              related ? eccentricity.value_m * amplitude_per_m / remaining_m : none;
+                          cell.whirl_ratio = related ? whirl_ratio_of(eccentricity.value_m) : none;
                         }},
              unbalance);
 }
 
-/// Sets both measures of an unbalance that acts together with a bow or with forces at twice the speed, as in
-/// set_unbalance.
+/// Sets both measures of an unbalance that acts alone. `remaining_m`: clearance that static forces leave at
+/// the first stop. The measures are unrelated where this is not positive, or the amplitude is unbounded.
+void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, double amplitude_per_m) {
+  set_measures(
+      cell, unbalance, remaining_m > 0 && std::isfinite(amplitude_per_m),
+      [&](double ratio) { return ratio * remaining_m / amplitude_per_m; },
+      [&](double eccentricity_m) { return eccentricity_m * amplitude_per_m / remaining_m; });
+}
+
+/// The same for an unbalance that acts together with a bow or with forces at twice the speed.
 void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaining_m, const QuietMotion& bow,
                           const QuietMotion& unit) {
   const structure::LinearSystem& structure = cell.scene.structure;
@@ -139,20 +133,13 @@ void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaini
         .amplitude;
   };
   const double slope = quiet_penetration(unit, structure, contact).amplitude;
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  const bool related = remaining_m > 0 && std::isfinite(slope) && slope > 0 && std::isfinite(excursion(0));
-  const auto reaching = [&](double wanted_m) {
-    return eccentricity_reaching(wanted_m, excursion(0), slope, excursion).value_or(none);
+  const auto eccentricity_of = [&](double ratio) {
+    return eccentricity_reaching(ratio * remaining_m, excursion(0), slope, excursion)
+        .value_or(std::numeric_limits<double>::quiet_NaN());
   };
-  std::visit(overloaded{[&](const WhirlRatio& ratio) {
-                          cell.whirl_ratio = ratio.value;
-                          cell.eccentricity_m = related ? reaching(ratio.value * remaining_m) : none;
-                        },
-                        [&](const Eccentricity& eccentricity) {
-                          cell.eccentricity_m = eccentricity.value_m;
-                          cell.whirl_ratio = related ? excursion(eccentricity.value_m) / remaining_m : none;
-                        }},
-             unbalance);
+  set_measures(
+      cell, unbalance, remaining_m > 0 && std::isfinite(slope) && slope > 0 && std::isfinite(excursion(0)),
+      eccentricity_of, [&](double eccentricity_m) { return excursion(eccentricity_m) / remaining_m; });
 }
 
 /// Smallest share in (0, 1] of the displacement to the static position at which the rotor meets a wall; 1 if

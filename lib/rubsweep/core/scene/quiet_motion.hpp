@@ -1,10 +1,24 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 
 #include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::scene {
+
+/// Largest value of a motion with orders 1 and 2 of the speed, and the phase where it occurs.
+struct TopOfMotion {
+  double value = 0;
+  double phase_rad = 0;  ///< 0 to 2 pi; the first one if several are equal
+};
+
+/// Largest value of Re(first e^{i phase} + second e^{2 i phase}). Infinite, at phase 0, where a number is not
+/// finite.
+TopOfMotion largest_value(std::complex<double> first, std::complex<double> second);
+
+/// Largest length of the vector Re(first e^{i phase} + second e^{2 i phase}), whose components are real.
+TopOfMotion largest_distance(const Eigen::Vector2cd& first, const Eigen::Vector2cd& second);
 
 /// Steady motion of a structure without contact: q(t) = mean + Re(amplitude e^{i w t} + second_amplitude e^{2
 /// i w t}).
@@ -35,5 +49,11 @@ Eigen::Vector2d nearest_wall(const QuietMotion& motion, const structure::LinearS
 
 /// Rows that map q to the displacement of the rotor relative to the casing, 2 x n.
 contact::RelativeMap relative_map(const structure::LinearSystem& structure, const Contact& contact);
+
+/// Phase factor that puts the largest excursion of a contact along the normal `wall` at t = 0; 1 for a motion
+/// of one order without an excursion, or with one that is not finite.
+std::complex<double> phase_to_smallest_gap(const QuietMotion& motion,
+                                           const structure::LinearSystem& structure, const Contact& contact,
+                                           const Eigen::Vector2d& wall);
 
 }  // namespace rubsweep::scene

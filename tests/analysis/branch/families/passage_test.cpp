@@ -4,7 +4,7 @@
 
 #include "analysis/branch/families/half_orbit_study.hpp"
 #include "core/response/annular_cell.hpp"
-#include "rubsweep/analysis/branch/orbits/settled_start.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 
 namespace rubsweep::branch::families {

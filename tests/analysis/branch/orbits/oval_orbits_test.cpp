@@ -11,7 +11,7 @@
 
 #include "core/response/annular_cell.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
-#include "rubsweep/analysis/branch/orbits/settled_start.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
 #include "rubsweep/core/response/settle.hpp"
 #include "support/annular_scene.hpp"
 

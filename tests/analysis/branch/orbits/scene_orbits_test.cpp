@@ -11,7 +11,6 @@
 #include "analysis/branch/orbits/full_rub.hpp"
 #include "core/scene/table_machine.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
-#include "rubsweep/analysis/branch/orbits/settled_start.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"

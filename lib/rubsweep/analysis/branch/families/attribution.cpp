@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "rubsweep/analysis/branch/continuation/branch_point.hpp"
-#include "rubsweep/analysis/branch/orbits/settled_start.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
 #include "rubsweep/core/response/proof/section_map.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"

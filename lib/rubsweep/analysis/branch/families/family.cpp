@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "rubsweep/analysis/branch/orbits/settled_start.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 

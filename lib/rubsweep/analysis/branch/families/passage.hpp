@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
-#include "rubsweep/analysis/branch/orbits/settled_start.hpp"
 #include "rubsweep/core/response/motion/workspace.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/sweep/study.hpp"

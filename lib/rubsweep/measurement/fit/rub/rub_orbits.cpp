@@ -7,7 +7,6 @@
 
 #include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
 #include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
-#include "rubsweep/analysis/branch/orbits/settled_start.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/response/motion/record.hpp"

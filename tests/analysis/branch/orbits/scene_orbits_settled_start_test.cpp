@@ -1,5 +1,3 @@
-#include "rubsweep/analysis/branch/orbits/settled_start.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/response/annular_cell.hpp"
@@ -13,7 +11,7 @@ namespace {
 
 /// A cell of parameter set A that settles on a half orbit, and its branch, which is closed and stable between
 /// its folds on one side. In a map of 4000 cells along the line, the folds lie in the same intervals.
-TEST(SettledStart, AHalfOrbitAndItsClosedBranch) {
+TEST(SceneOrbitsSettledStart, AHalfOrbitAndItsClosedBranch) {
   response::motion::Workspace workspace;
   test::OneSideRotor rotor;
   const scene::Cell cell = test::cell_of(rotor);
@@ -43,7 +41,7 @@ TEST(SettledStart, AHalfOrbitAndItsClosedBranch) {
 }
 
 /// Tests both ways in which an orbit can close.
-TEST(SettledStart, ACircleAndAnOvalInAnAnnulus) {
+TEST(SceneOrbitsSettledStart, ACircleAndAnOvalInAnAnnulus) {
   response::motion::Workspace workspace;
   const SettledStart circle = settle_on_orbit(response::testing::annular_cell(80, 0.6), {}, {}, workspace);
   EXPECT_EQ(circle.order, 1);
@@ -55,7 +53,7 @@ TEST(SettledStart, ACircleAndAnOvalInAnAnnulus) {
   EXPECT_EQ(oval.state.size(), 9) << "with its time";
 }
 
-TEST(SettledStart, ARotorThatComesToRestHasNoOrbit) {
+TEST(SceneOrbitsSettledStart, ARotorThatComesToRestHasNoOrbit) {
   response::motion::Workspace workspace;
   test::OneSideRotor rotor;
   rotor.kick_n = 1;
@@ -77,7 +75,7 @@ std::optional<Eigen::VectorXd> oval_of(const scene::Cell& cell) {
 
 /// The period agrees with the comb of a long run, see RotatingProof; the state is at the largest distance
 /// from the axis.
-TEST(SettledStart, OfAnOvalItsFarthestPointAndPeriod) {
+TEST(SceneOrbitsSettledStart, OfAnOvalItsFarthestPointAndPeriod) {
   const scene::Cell cell = response::testing::annular_cell(165, 0.6);
   const auto state = oval_of(cell);
   ASSERT_TRUE(state);
@@ -89,7 +87,7 @@ TEST(SettledStart, OfAnOvalItsFarthestPointAndPeriod) {
   EXPECT_GT((*state)(8), 0);
 }
 
-TEST(SettledStart, NoneOfACircleNorWithoutSymmetry) {
+TEST(SceneOrbitsSettledStart, NoneOfACircleNorWithoutSymmetry) {
   EXPECT_FALSE(oval_of(response::testing::annular_cell(80, 0.6)));
   EXPECT_FALSE(oval_of(response::testing::annular_cell(165, 0.6, 2e-4)));
 }

@@ -1,5 +1,3 @@
-#include "rubsweep/maps/sweep/robustness.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
@@ -27,7 +25,7 @@ model::Machine kicked() {
   return machine;
 }
 
-TEST(RobustnessIsRobust, KicksALittleWeakerAndALittleStronger) {
+TEST(EvaluateCellRobustnessIsRobust, KicksALittleWeakerAndALittleStronger) {
   std::vector<double> forces_n;
   EXPECT_EQ(is_robust(row(MotionClass::subharmonic, 2), kicked(),
                       [&](const model::Machine& machine) {
@@ -38,7 +36,7 @@ TEST(RobustnessIsRobust, KicksALittleWeakerAndALittleStronger) {
   EXPECT_EQ(forces_n, (std::vector{200 * (1 - 1e-6), 200 * (1 + 1e-6)}));
 }
 
-TEST(RobustnessRobustShare, CountsTheNeighboursThatKeepClassAndOrder) {
+TEST(EvaluateCellRobustnessRobustShare, CountsTheNeighboursThatKeepClassAndOrder) {
   const Row found = row(MotionClass::subharmonic, 2);
   std::vector<double> forces_n;
   const auto share =
@@ -54,7 +52,7 @@ TEST(RobustnessRobustShare, CountsTheNeighboursThatKeepClassAndOrder) {
       robust_share(row(MotionClass::failed), kicked(), {}, [](const model::Machine&) { return Row{}; }));
 }
 
-TEST(RobustnessIsRobust, NotWhereEitherChangesClassOrOrder) {
+TEST(EvaluateCellRobustnessIsRobust, NotWhereEitherChangesClassOrOrder) {
   const Row found = row(MotionClass::subharmonic, 2);
   for (const Row& other :
        {row(MotionClass::subharmonic, 3), row(MotionClass::non_contact), row(MotionClass::failed)}) {
@@ -68,7 +66,7 @@ TEST(RobustnessIsRobust, NotWhereEitherChangesClassOrOrder) {
   }
 }
 
-TEST(RobustnessIsRobust, SaysNothingWhereNoKickWasSimulated) {
+TEST(EvaluateCellRobustnessIsRobust, SaysNothingWhereNoKickWasSimulated) {
   const auto never = [](const model::Machine&) -> Row {
     ADD_FAILURE() << "nothing to run";
     return {};
@@ -87,7 +85,7 @@ std::optional<bool> robust(Study study) {
   return evaluate_cell(study, 0, workspace).robust;
 }
 
-TEST(RobustnessEvaluateCell, SaysWhetherItIsRobustWhenAsked) {
+TEST(EvaluateCellRobustnessEvaluateCell, SaysWhetherItIsRobustWhenAsked) {
   // A motion that is at rest after a few turns, one in the middle of the 1/2 tongue, and one without a kick.
   EXPECT_EQ(robust(one_side_study({50}, {0.1})), true);
   EXPECT_EQ(robust(one_side_study({75}, {0.4})), true);
@@ -97,7 +95,7 @@ TEST(RobustnessEvaluateCell, SaysWhetherItIsRobustWhenAsked) {
       << "off by default";
 }
 
-TEST(RobustnessEvaluateCell, TheVerdictIsThatOfTheKickAsItIs) {
+TEST(EvaluateCellRobustnessEvaluateCell, TheVerdictIsThatOfTheKickAsItIs) {
   Study study = one_side_study({75}, {0.4});
   response::motion::Workspace workspace;
   Row plain = evaluate_cell(study, 0, workspace);

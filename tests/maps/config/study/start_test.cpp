@@ -1,4 +1,4 @@
-#include "rubsweep/maps/config/study/study.hpp"
+#include "rubsweep/maps/config/study/start.hpp"
 
 #include "maps/config/support.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
@@ -22,7 +22,7 @@ std::string start_problem(const std::string& override_text) {
   return message_of(test_file("minimal.yaml"), {two_stops[0], override_text});
 }
 
-TEST(StudyStart, ReadsRotorAndCasingsAndPrintsThemBack) {
+TEST(Start, ReadsRotorAndCasingsAndPrintsThemBack) {
   const RunConfig config =
       with_two_stops({"start={x_m: 1e-3, vy_m_per_s: -0.5, casings: {1: {vx_m_per_s: 0.25}}}"});
   const model::Start& start = config.study.machine.start.value();
@@ -40,7 +40,7 @@ TEST(StudyStart, ReadsRotorAndCasingsAndPrintsThemBack) {
   EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
 }
 
-TEST(StudyStart, AnEmptyOneReadsBackAndIsNotTheSameStudy) {
+TEST(Start, AnEmptyOneReadsBackAndIsNotTheSameStudy) {
   const RunConfig empty = with_two_stops({"start={}"});
   ASSERT_TRUE(empty.study.machine.start);
   const std::string printed = print_config(empty);
@@ -48,7 +48,7 @@ TEST(StudyStart, AnEmptyOneReadsBackAndIsNotTheSameStudy) {
   EXPECT_NE(study_digest(empty.study), study_digest(with_two_stops({}).study));
 }
 
-TEST(StudyStart, AtRestReadsBackAndIsAStudyOfItsOwn) {
+TEST(Start, AtRestReadsBackAndIsAStudyOfItsOwn) {
   const RunConfig rest = with_two_stops({"start=rest"});
   EXPECT_TRUE(rest.study.machine.start.value().at_rest);
   const std::string printed = print_config(rest);
@@ -57,7 +57,7 @@ TEST(StudyStart, AtRestReadsBackAndIsAStudyOfItsOwn) {
   EXPECT_NE(study_digest(rest.study), study_digest(with_two_stops({"start={}"}).study));
 }
 
-TEST(StudyStart, AtRestHasNoNumbersAndNoOtherWord) {
+TEST(Start, AtRestHasNoNumbersAndNoOtherWord) {
   EXPECT_EQ(start_problem("start=rst"),
             "--set start=rst: start: 'rst' is unknown (did you mean 'rest'?), allowed: rest, or a map of "
             "x_m, y_m, vx_m_per_s, vy_m_per_s, casings, each optional");
@@ -70,14 +70,14 @@ TEST(StudyStart, AtRestHasNoNumbersAndNoOtherWord) {
             "--set start.x_m=1e-3: start: is 'rest' and cannot hold 'x_m', allowed: a map or a list");
 }
 
-TEST(StudyStart, TakesAKickBackAndAKickAStart) {
+TEST(Start, TakesAKickBackAndAKickAStart) {
   const RunConfig started = with_two_stops({"kick={force_n: 200, duration_s: 0.005}", "start={}"});
   EXPECT_FALSE(started.study.machine.kick);
   const RunConfig kicked = with_two_stops({"start={x_m: 1}", "kick={force_n: 200, duration_s: 0.005}"});
   EXPECT_FALSE(kicked.study.machine.start);
 }
 
-TEST(StudyStart, IsReachedByAxes) {
+TEST(Start, IsReachedByAxes) {
   const auto study = with_two_stops({"start={}", "sweep.x={key: start.casings.1.y_m, values: [0, 1e-5]}",
                                      "sweep.y={key: start.vx_m_per_s, values: [0.5]}"})
                          .study;
@@ -86,7 +86,7 @@ TEST(StudyStart, IsReachedByAxes) {
   EXPECT_EQ(start.rotor.vx_m_per_s, 0.5);
 }
 
-TEST(StudyStart, RefusesWhatItCannotBe) {
+TEST(Start, RefusesWhatItCannotBe) {
   EXPECT_EQ(
       start_problem("start={z_m: 1}"),
       "--set start={z_m: 1}: start.z_m: unknown key (did you mean 'x_m'?), allowed: x_m, y_m, vx_m_per_s, "
@@ -102,7 +102,7 @@ TEST(StudyStart, RefusesWhatItCannotBe) {
             "allowed: 0, 1");
 }
 
-TEST(StudyStart, RefusesAKickBesideIt) {
+TEST(Start, RefusesAKickBesideIt) {
   const std::string text = test_file("minimal.yaml") + "kick: {force_n: 1, duration_s: 1e-3}\nstart: {}\n";
   EXPECT_NE(message_of(test_file("minimal.yaml") + "kick: {force_n: 1, duration_s: 1e-3}\nstart: rest\n", {})
                 .find("start: is given beside a kick"),
