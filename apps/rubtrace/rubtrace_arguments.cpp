@@ -236,7 +236,7 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   arguments.probes = !sampled && asks_for_probes(given);
   if (others == 0 && !arguments.rotor_report) return false;
   for (const std::string name : {"speed-hz", "speed-rpm", "whirl-ratio", "revolutions", "last-revolutions"}) {
-    if (arguments.rotor_report && name.starts_with("speed")) continue;  // of the deflected shape
+    if (arguments.rotor_report && name.starts_with("speed")) continue;  // arguments of the deflected shape
     if (given.count(name) != 0)
       throw UsageError(fmt::format("--{} belongs to a trace, not to an experiment", name));
   }

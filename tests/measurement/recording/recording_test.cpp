@@ -183,41 +183,6 @@ TEST(Recording, RefusesWhatCannotBeUsed) {
   EXPECT_EQ(recording_fault(ellipse(), slow), "f.csv: holds 1 whole turns of the shaft, allowed: 4 or more");
 }
 
-constexpr int samples = 32;
-
-/// A gap, run-out of order 1 with a scratch of order 3, and a vibration of order 1.
-std::vector<Complex> motion(int turns, Complex vibration) {
-  std::vector<Complex> z;
-  for (int k = 0; k < turns * samples; ++k) {
-    const double angle = 2 * std::numbers::pi * k / samples;
-    z.push_back(Complex(3, 4) + (Complex(0.5, 0.1) + vibration) * std::polar(1.0, angle) +
-                0.2 * std::polar(1.0, -3 * angle));
-  }
-  return z;
-}
-
-TEST(Recording, IsSubtractedAsWaveformOrVector) {
-  for (const bool vector : {false, true}) {
-    auto z = motion(3, {1, 0});
-    subtract_run_out(z, run_out_of(motion(5, 0), samples, vector));
-    for (std::size_t k = 0; k < z.size(); ++k) {
-      const double angle = 2 * std::numbers::pi * static_cast<double>(k) / samples;
-      const Complex left =
-          Complex(3, 4) + std::polar(1.0, angle) + (vector ? 0.2 : 0) * std::polar(1.0, -3 * angle);
-      EXPECT_LT(std::abs(z[k] - left), 1e-12);
-    }
-  }
-}
-
-TEST(Recording, GapsAreLeftOut) {
-  auto slow = motion(3, 0);
-  slow[samples + 1] = NAN;
-  const auto with = run_out_of(slow, samples, false), without = run_out_of(motion(1, 0), samples, false);
-  for (std::size_t k = 0; k < with.size(); ++k) EXPECT_LT(std::abs(with[k] - without[k]), 1e-12);
-  slow = std::vector<Complex>(samples, NAN);
-  EXPECT_THROW(run_out_of(slow, samples, false), ConfigError);
-}
-
 TEST(Recording, OfASweepNeedsTurns) {
   Instrument instrument = two_probes;
   instrument.keyphasor.reset();

@@ -2,25 +2,16 @@
 
 #include <complex>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "rubsweep/measurement/recording/channels.hpp"
-#include "rubsweep/measurement/recording/instrument.hpp"
 #include "rubsweep/measurement/recording/integrated.hpp"
+#include "rubsweep/measurement/recording/readings.hpp"
 #include "rubsweep/measurement/recording/shaft_turns.hpp"
 
 namespace rubsweep::recording {
 
 inline constexpr int samples_per_revolution = 128;  ///< Number of samples per turn of the shaft.
-
-/// Readings of a probe over the evaluated turns, in m, m/s or m/s^2 as it measured them.
-struct ProbeSignal {
-  std::string column;
-  double angle_deg = 0;
-  std::vector<double> values{};
-};
 
 /// Turns of a shaft whose speed changes, found from its line in the readings.
 struct FollowedTurns {
@@ -46,14 +37,12 @@ struct Recording {
   Integration integration{};
   Place place = Place::shaft;
   std::optional<MachineGroup> machine_group{};
-  std::vector<ProbeSignal> probes{};
+  std::vector<ProbeSignal> probes{};    ///< readings over the evaluated turns
   std::vector<std::string> findings{};  ///< faults of the data: sentences without a full stop
 
   int turns() const { return static_cast<int>(turn_begin_s.size()) - 1; }
   double mean_speed_hz() const { return turns() / (turn_begin_s.back() - turn_begin_s.front()); }
 };
-
-inline constexpr int fewest_turns = 4;  ///< Fewest whole turns that are evaluated.
 
 /// Makes a recording from the columns and the instrument's description, and subtracts the run-out of the
 /// shaft where a slow interval is given. Velocities and accelerations are integrated. Of the turns without
@@ -65,16 +54,5 @@ inline constexpr int fewest_turns = 4;  ///< Fewest whole turns that are evaluat
 /// `followed`: turns of a shaft with `instrument.sweep`.
 Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name,
                          const FollowedTurns* followed = nullptr);
-
-/// Run-out of a shaft: the mean turn of a slow stretch, minus the mean of that turn (the gap).
-/// `displacement_m` has samples_per_turn values per whole turn. `vector`: only the components at +1X and -1X,
-/// like instruments with a slow-roll vector. Turns with a gap in the data (NaN) are left out. Throws
-/// ConfigError where every turn has a gap.
-std::vector<std::complex<double>> run_out_of(std::span<const std::complex<double>> displacement_m,
-                                             int samples_per_turn, bool vector);
-
-/// Subtracts a run-out from every turn.
-void subtract_run_out(std::span<std::complex<double>> displacement_m,
-                      std::span<const std::complex<double>> run_out_m);
 
 }  // namespace rubsweep::recording

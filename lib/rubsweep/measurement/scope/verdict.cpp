@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numbers>
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/response/spectrum/discrete_lines.hpp"
 #include "rubsweep/core/vocabulary.hpp"
+#include "rubsweep/measurement/scope/line_noise.hpp"
 #include "rubsweep/measurement/scope/repeating_angles.hpp"
 #include "rubsweep/measurement/scope/verdict_lines.hpp"
 
@@ -14,120 +14,7 @@ namespace rubsweep::scope {
 namespace {
 
 using Complex = std::complex<double>;
-using response::spectrum::FullSpectrum;
 using response::spectrum::SpectrumWorkspace;
-
-constexpr int fewest_periods = 3;
-constexpr double false_alarm = 0.01;
-/// False-alarm probability of a suspicious line, which is too small to count as visible.
-constexpr double suspicion = 0.2;
-
-int longest_period_in(int turns) { return std::min(max_period, turns / fewest_periods); }
-
-/// A spectrum of which only the lines up to a given order are used.
-struct Lines : FullSpectrum {
-  double most_order = 0, least_share = 0;
-  recording::Integration integration{};
-
-  /// Noise at line k over that at order 1.
-  double noise_at(int k) const { return integration.noise_at(order(k)); }
-};
-
-/// Calls `look` for each line of the displacement that counts, except 0X. Noise is white in what was
-/// measured.
-template <class Look>
-void for_lines(const Lines& spectrum, Look look) {
-  const int last = static_cast<int>(spectrum.most_order * spectrum.turns);
-  for (int k = std::max(-last, spectrum.first_line()); k <= std::min(last, spectrum.last_line()); ++k)
-    if (k != 0 && std::abs(spectrum.order(k)) >= spectrum.integration.lowest_order)
-      look(k, spectrum.amplitude(k) * spectrum.noise_at(k));
-}
-
-/// Whether line k, in a spectrum over `turns` turns, is a multiple of order 1/n.
-bool on_comb(int k, int turns, int n) { return static_cast<long>(k) * n % turns == 0; }
-
-/// Standard deviation of each component of a line, and the relative variance of this estimate.
-struct Noise {
-  double deviation_m = 0, variance = 0;
-};
-
-/// Noise from the median of the lines that belong to no period.
-Noise noise_of(const Lines& spectrum) {
-  std::vector<double> between, all;
-  for_lines(spectrum, [&](int k, double amplitude) {
-    bool belongs = false;
-    for (int n = 1; n <= longest_period_in(spectrum.turns); ++n)
-      belongs = belongs || on_comb(k, spectrum.turns, n);
-    all.push_back(amplitude / spectrum.noise_at(k));
-    if (!belongs) between.push_back(all.back());
-  });
-  constexpr std::size_t fewest_lines = 16;
-  std::vector<double>& lines = between.size() >= fewest_lines ? between : all;
-  const auto middle = lines.begin() + static_cast<std::ptrdiff_t>(lines.size() / 2);
-  std::ranges::nth_element(lines, middle);
-  // The median of a Rayleigh distribution is s sqrt(2 ln 2); its density there is ln 2 / median.
-  constexpr double root = 2 * std::numbers::ln2;
-  return {*middle / std::sqrt(root), 1 / (root * root * static_cast<double>(lines.size()))};
-}
-
-/// Amplitudes at order 1 that noise reaches rarely, and the floor of all orders.
-struct Threshold {
-  double noise_m = 0, suspicious_m = 0, largest_m = 0;
-  double seen_m = 0;   ///< smallest line that exceeds the noise, however small a part of the motion it is
-  double floor_m = 0;  ///< smallest line that counts, whatever the noise
-
-  /// Smallest line that counts where the noise is so many times that at order 1.
-  double visible_m(double noise = 1) const { return std::max(noise * seen_m, floor_m); }
-};
-
-Threshold threshold_of(const Lines& spectrum) {
-  const Noise noise = noise_of(spectrum);
-  Threshold threshold{.noise_m = noise.deviation_m};
-  int count = 0;
-  for_lines(spectrum, [&](int, double amplitude) {
-    ++count;
-    threshold.largest_m = std::max(threshold.largest_m, amplitude);
-  });
-  // The largest of `count` noise lines exceeds s sqrt(2 ln(count / p)) with probability p. As s is an
-  // estimate with relative variance v, the mean of exp(-t^2 s^2 / 2) requires t^2 / (1 + t^2 v) in place of
-  // t^2.
-  const auto reached = [&](double probability) {
-    constexpr double most = 0.75;
-    const double square = 2 * std::log(count / probability);
-    return noise.deviation_m * std::sqrt(square / (1 - std::min(square * noise.variance, most)));
-  };
-  threshold.floor_m = spectrum.least_share * threshold.largest_m;
-  threshold.suspicious_m = reached(suspicion);
-  threshold.seen_m = reached(false_alarm);
-  return threshold;
-}
-
-/// A line, and the noise there over that at order 1.
-struct Beside {
-  double amplitude_m = 0, noise = 1;
-};
-
-/// The line that is no multiple of 1/n and stands highest over its noise; if a period is given, only
-/// multiples of 1 / period count.
-Beside highest_beside(const Lines& spectrum, int n, int period = 0) {
-  Beside highest;
-  for_lines(spectrum, [&](int k, double amplitude) {
-    if (on_comb(k, spectrum.turns, n) || (period != 0 && !on_comb(k, spectrum.turns, period))) return;
-    const double noise = spectrum.noise_at(k);
-    if (amplitude * highest.noise > highest.amplitude_m * noise) highest = {amplitude, noise};
-  });
-  return highest;
-}
-
-/// Whether a line is visible that is no multiple of 1/n.
-bool is_visible_beside(const Lines& spectrum, int n, const Threshold& threshold) {
-  bool visible = false;
-  for_lines(spectrum, [&](int k, double amplitude) {
-    visible =
-        visible || (!on_comb(k, spectrum.turns, n) && amplitude > threshold.visible_m(spectrum.noise_at(k)));
-  });
-  return visible;
-}
 
 std::vector<MeasuredLine> lines_of(std::span<const Complex> orbit, int turns) {
   const int last = std::min(static_cast<int>(most_order * turns), static_cast<int>(orbit.size()) / 2 - 1);
