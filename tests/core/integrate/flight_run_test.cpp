@@ -83,18 +83,54 @@ TEST(FlightRun, ARunMayBeginInsideTheWall) {
   expect_equal_turns(scene, 2, 1e-9, hits, moved);
 }
 
-/// A turn depends on its section alone, also after a restart in mid-air.
+/// A kick ends during a flight or a contact, or in the next turn.
+TEST(FlightRun, AKickMayEndAtAnyInstant) {
+  int hits = 0, moved = 0;
+  for (const double duration_s : {0.003, 0.005, 0.008, 0.011, 0.013, 0.017, 0.025}) {
+    scene::Scene scene = RandomMachine(4).scene;
+    scene.pulses.push_back(
+        {.direction = Eigen::Vector4d(0.6, 0.8, 0, 0), .force_n = 50, .duration_s = duration_s});
+    expect_equal_turns(scene, 2, 1e-9, hits, moved);
+  }
+  EXPECT_GT(hits, 20);
+}
+
+/// A turn depends on its section and vectors alone, also after a restart in mid-air: to the last bit and
+/// step.
 TEST(FlightRun, StartsAgainWithoutMemory) {
   exact::modes::ModeCache modes;
   const run::Run run = start(RandomMachine(4).scene, tight(run::Method::automatic), modes);
-  run::TurnReport first, again;
+  run::TurnRequest asked;
+  asked.tangent_vectors.setIdentity(8, 2);
   const std::vector<double> section(8, 0.01);
   run.restart(section);
-  ASSERT_EQ(run.advance({}, first), run::Outcome::ok);
-  for (int k = 0; k < 3; ++k) ASSERT_EQ(run.advance({}, again), run::Outcome::ok);
+  run::TurnReport start, first, turn, again;
+  ASSERT_EQ(run.advance(asked, start), run::Outcome::ok);
   run.restart(section);
-  ASSERT_EQ(run.advance({}, again), run::Outcome::ok);
-  EXPECT_LT(distance(first.section, again.section), 1e-9);
+  ASSERT_EQ(run.advance(asked, first), run::Outcome::ok);
+  for (int k = 0; k < 3; ++k) ASSERT_EQ(run.advance(asked, turn), run::Outcome::ok);
+  const run::Effort before = turn.effort;
+  run.restart(section);
+  ASSERT_EQ(run.advance(asked, again), run::Outcome::ok);
+  EXPECT_GT(first.hits, 0);
+  EXPECT_EQ(first.section, again.section);
+  EXPECT_EQ(*first.tangent_vectors.get(), *again.tangent_vectors.get());
+  EXPECT_EQ(first.effort.steps - start.effort.steps, again.effort.steps - before.steps);
+}
+
+/// The limit of a turn holds for all its contacts and flights together.
+TEST(FlightRun, ATurnHasOneLimit) {
+  const scene::Scene scene = RandomMachine(4).scene;
+  exact::modes::ModeCache modes;
+  run::SolverOptions options = tight(run::Method::automatic);
+  run::TurnReport turn;
+  ASSERT_EQ(start(scene, options, modes).advance({}, turn), run::Outcome::ok);
+  ASSERT_GE(turn.hits, 2);
+  const long needed = turn.effort.steps + turn.effort.refused;
+  options.max_steps_per_revolution = needed + 1;
+  EXPECT_EQ(start(scene, options, modes).advance({}, turn), run::Outcome::ok);
+  options.max_steps_per_revolution = needed * 3 / 4;
+  EXPECT_EQ(start(scene, options, modes).advance({}, turn), run::Outcome::step_limit);
 }
 
 /// In flights no right-hand side is evaluated.

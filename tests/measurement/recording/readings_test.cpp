@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -22,7 +23,7 @@ Channels two_columns(const char* unit) {
   return channels;
 }
 
-const Instrument two_probes{.probes = {{.column = "A"}, {.column = "B", .angle_deg = 90}}};
+const Instrument along_x_and_y{.probes = {{.column = "A"}, {.column = "B", .angle_deg = 90}}};
 
 std::string readings_fault(const Channels& channels, const Instrument& instrument) {
   std::vector<std::string> findings;
@@ -44,7 +45,7 @@ TEST(Readings, AreInSiUnitsOfTheirQuantity) {
       {"um", 1e-6, 0, Place::shaft}, {"mm/s", 1e-3, 1, Place::casing}, {"m/s^2", 1, 2, Place::casing}};
   for (const auto& row : rows) {
     std::vector<std::string> findings;
-    const Readings readings = readings_of(two_columns(row.unit), two_probes, "f.csv", findings);
+    const Readings readings = readings_of(two_columns(row.unit), along_x_and_y, "f.csv", findings);
     EXPECT_EQ(readings.integrations(), row.integrations) << row.unit;
     EXPECT_EQ(readings.place, row.place) << row.unit;
     ASSERT_EQ(readings.probes.size(), 2u);
@@ -67,38 +68,43 @@ TEST(Readings, OfAStretchAreThoseFromItsBeginningUpToItsEnd) {
 TEST(Readings, AreOfOneQuantityAndOnePart) {
   Channels mixed = two_columns("um");
   mixed.channels[1].unit = "mm/s";
-  EXPECT_EQ(readings_fault(mixed, two_probes),
+  EXPECT_EQ(readings_fault(mixed, along_x_and_y),
             "f.csv: 'B': measures another quantity than the first probe, allowed: probes of one quantity");
-  Instrument instrument = two_probes;
+  Instrument instrument = along_x_and_y;
   instrument.probes[1].on = Place::casing;
   EXPECT_EQ(readings_fault(two_columns("um"), instrument),
             "f.csv: the probes are on different parts (on), allowed: one part");
-  instrument = two_probes;
+  instrument = along_x_and_y;
   instrument.probes[0].rest = 1;
   EXPECT_EQ(readings_fault(two_columns("um"), instrument), "none");
   EXPECT_EQ(readings_fault(two_columns("mm/s"), instrument),
             "f.csv: 'A': measures no displacement and has a reading at rest, allowed: no rest");
-  instrument = two_probes;
+  instrument = along_x_and_y;
   instrument.run_out = RunOut{0, 1};
   EXPECT_EQ(readings_fault(two_columns("g"), instrument),
             "f.csv: 'A': measures no displacement and has a run-out, allowed: no run_out");
 }
 
 TEST(Readings, OfAStuckProbeAreLeftOutIfEnoughTurnsRemain) {
-  for (const int stuck : {300, 900}) {
+  const struct {
+    std::size_t first, count;
+    int turns;
+    bool left_out;
+  } rows[] = {{50, 300, 39, true}, {130, 120, 11, false}};
+  for (const auto& row : rows) {
     Channels channels = two_columns("um");
     std::vector<double>& values = channels.channels[0].values;
-    for (std::size_t k = 50; k < 50 + static_cast<std::size_t>(stuck); ++k) values[k] = values[50];
+    std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(row.first), row.count, values[row.first]);
     std::vector<std::string> findings, compared;
-    Readings readings = readings_of(channels, two_probes, "f.csv", findings);
+    Readings readings = readings_of(channels, along_x_and_y, "f.csv", findings);
     std::vector<double> turn_begin_s;
-    for (int turn = 0; turn < 40; ++turn) turn_begin_s.push_back(0.025 * turn);
+    for (int turn = 0; turn <= row.turns; ++turn) turn_begin_s.push_back(0.025 * turn);
     look_for_faults(readings, {.first_s = 0, .rate_hz = 1000}, turn_begin_s, compared);
-    ASSERT_EQ(compared.size(), 1u) << stuck;
-    EXPECT_TRUE(compared[0].starts_with("'A' stands still from 0.05 to ")) << compared[0];
-    EXPECT_EQ(compared[0].ends_with(": these readings are left out"), stuck == 300) << compared[0];
-    EXPECT_EQ(std::isnan(readings.probes[0].values[100]), stuck == 300);
-    EXPECT_FALSE(std::isnan(readings.probes[1].values[100]));
+    ASSERT_EQ(compared.size(), 1u) << row.first;
+    EXPECT_TRUE(compared[0].starts_with("'A' stands still from ")) << compared[0];
+    EXPECT_EQ(compared[0].ends_with(": these readings are left out"), row.left_out) << compared[0];
+    EXPECT_EQ(std::isnan(readings.probes[0].values[row.first + 1]), row.left_out);
+    EXPECT_FALSE(std::isnan(readings.probes[1].values[row.first + 1]));
   }
 }
 

@@ -12,16 +12,16 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int turns_looked_at = 48, readings_of_a_turn = 64;
+constexpr int turns_looked_at = 48, readings_per_turn = 64;
 
 /// Lines of white noise of standard deviation 1 in each component, and of a circle of the given order.
 Lines noisy_lines(unsigned seed, double order = 0, double radius = 0,
                   recording::Integration integration = {}) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> noise(0, 1);
-  std::vector<Complex> z(turns_looked_at * readings_of_a_turn);
+  std::vector<Complex> z(turns_looked_at * readings_per_turn);
   for (std::size_t k = 0; k < z.size(); ++k) {
-    const double angle = 2 * std::numbers::pi * order * static_cast<double>(k) / readings_of_a_turn;
+    const double angle = 2 * std::numbers::pi * order * static_cast<double>(k) / readings_per_turn;
     z[k] = std::polar(radius, angle) + Complex(noise(random), noise(random));
   }
   response::spectrum::SpectrumWorkspace workspace;
@@ -29,7 +29,7 @@ Lines noisy_lines(unsigned seed, double order = 0, double radius = 0,
 }
 
 /// White noise of n readings leaves its standard deviation / sqrt(n) in each component of a line.
-const double true_noise = 1 / std::sqrt(1.0 * turns_looked_at * readings_of_a_turn);
+const double true_noise = 1 / std::sqrt(1.0 * turns_looked_at * readings_per_turn);
 
 TEST(LineNoise, IsThatOfWhiteNoiseBesideALargeLine) {
   double sum = 0;

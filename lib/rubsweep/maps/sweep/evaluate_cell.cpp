@@ -16,22 +16,11 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
+#include "rubsweep/maps/sweep/robustness.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
 
 namespace rubsweep::sweep {
 namespace {
-
-bool has_kicked_motion(const Row& row, const model::Machine& machine) {
-  using response::motion::MotionClass;
-  return machine.kick && row.start != RunStart::contact && row.motion_class != MotionClass::initial_contact &&
-         row.motion_class != MotionClass::failed;
-}
-
-bool keeps_motion(const Row& row, const model::Machine& machine, double factor,
-                  const std::function<Row(const model::Machine&)>& evaluate) {
-  const Row other = evaluate(model::with_kick_force(machine, machine.kick->force_n * factor));
-  return other.motion_class == row.motion_class && other.order == row.order;
-}
 
 /// Whether a force exceeds the range of some stop whose stiffness is the secant of a Hertz line contact. All
 /// stops are tested, although the force acts on only one, since the status only marks a doubt.
@@ -194,27 +183,6 @@ Probe probe_of(const Row& row) {
 }
 
 }  // namespace
-
-std::optional<bool> is_robust(const Row& row, const model::Machine& machine,
-                              const std::function<Row(const model::Machine&)>& evaluate) {
-  if (!has_kicked_motion(row, machine)) return std::nullopt;
-  for (const double factor : {1 - robustness_change, 1 + robustness_change}) {
-    if (!keeps_motion(row, machine, factor, evaluate)) return false;
-  }
-  return true;
-}
-
-std::optional<double> robust_share(const Row& row, const model::Machine& machine,
-                                   const Neighbours& neighbours,
-                                   const std::function<Row(const model::Machine&)>& evaluate) {
-  if (!has_kicked_motion(row, machine)) return std::nullopt;
-  const int half = neighbours.count / 2;
-  int kept = 0;
-  for (int i = -half; i <= half; ++i) {
-    if (i != 0 && keeps_motion(row, machine, 1 + neighbours.part * i / half, evaluate)) ++kept;
-  }
-  return static_cast<double>(kept) / (2 * half);
-}
 
 Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machine,
            const response::SettledRun* run) {

@@ -79,7 +79,6 @@ class AdaptiveRun {
     step_.start_phase = 0;
     sizes_.forget();
     to_tangents(tangents_, [](auto& vectors) { vectors.forget(); });
-    retaken_ = false;
     method_->restart();
     std::ranges::fill(dynamics_.modes(), contact::Mode::open);
     begin();
@@ -154,7 +153,7 @@ class AdaptiveRun {
   }
 
  private:
-  static constexpr double smallest_size = 1e-14, shortest_retaken = 1e-9;
+  static constexpr double smallest_size = 1e-14;
 
   void begin_at(const run::TurnRequest& request, long revolution, double phase, double end_phase) {
     book_.revolution = revolution;
@@ -224,9 +223,7 @@ class AdaptiveRun {
     ++book_.effort.steps;
     sizes_.next = limited ? std::max(size, wanted) : size;
     if (limited) step_.end_phase = boundary;
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-      end_kinematics_[i] = dynamics_.kinematics(i, step_.end, step_.end_rate);
-    }
+    switches_.look_at_end();
     accept(observer);
     return run::Outcome::ok;
   }
@@ -235,8 +232,7 @@ class AdaptiveRun {
   void accept(StepObserver& observer) {
     std::optional<Crossing> crossing;
     if constexpr (!smoothed) crossing = first_crossing();
-    if (crossing && retakes(*crossing)) return;
-    retaken_ = false;
+    if (sizes_.retakes(crossing, step_.start_phase)) return;
     const auto state_at = [this](double phase) -> const State& {
       method_->state_at(right_hand_side_, step_, phase, probe_);
       return probe_;
@@ -251,16 +247,6 @@ class AdaptiveRun {
     turn_around();
     step_.start_phase = end_phase;
     clock_.go_to(end_phase);
-  }
-
-  /// Whether the step is taken again, up to the instant at which a contact with a curved law opens: a step
-  /// across that instant, where S has no power series, would be no better than its dense output there.
-  bool retakes(const Crossing& crossing) {
-    const bool opens = crossing.event == Crossing::Event::mode && crossing.next == contact::Mode::open &&
-                       system_.contacts[crossing.contact].law;
-    retaken_ = opens && !retaken_ && crossing.phase - step_.start_phase > shortest_retaken;
-    if (retaken_) sizes_.next = crossing.phase - step_.start_phase;
-    return retaken_;
   }
 
   /// Exchanges start and end of the step.
@@ -283,9 +269,7 @@ class AdaptiveRun {
     step_.end_phase = phase;
     // The force is continuous at a mode switch, so that this rate holds on both sides of it.
     dynamics_(step_.end, step_.end_rate, phase);
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-      end_kinematics_[i] = dynamics_.kinematics(i, step_.end, step_.end_rate);
-    }
+    switches_.look_at_end();
   }
 
   void switch_modes(const std::optional<Crossing>& crossing, StepObserver& observer) {
@@ -319,7 +303,7 @@ class AdaptiveRun {
   double tolerance_;
   Step step_;
   State probe_, probe_rate_;
-  bool retaken_ = false, opened_ = false;  ///< opened_: the last change of mode was the opening of all
+  bool opened_ = false;  ///< true: the last change of mode was the opening of all
   StepSizes<Law> sizes_{dynamics_, tolerance_};
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
   StepSwitches<Law> switches_{dynamics_, step_, end_kinematics_, book_, tangents_, probe_rate_};

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "rubsweep/core/contact/contact_mode.hpp"
+#include "rubsweep/core/integrate/adaptive/event_search.hpp"
 
 namespace rubsweep::integrate::adaptive {
 
@@ -23,6 +25,7 @@ class StepSizes {
   void forget() {
     restart();
     std::ranges::fill(remembered_, 0.0);
+    retaken_ = false;
   }
 
   std::size_t joint_mode() const {
@@ -49,8 +52,19 @@ class StepSizes {
       next /= 4;
   }
 
+  /// Whether a step from `start_phase` is taken again, up to its first crossing, because a contact with a
+  /// curved law opens there: a step across that instant, where the state has no power series, would be no
+  /// better than its dense output.
+  bool retakes(const std::optional<Crossing>& crossing, double start_phase) {
+    const bool opens = crossing && crossing->event == Crossing::Event::mode &&
+                       crossing->next == contact::Mode::open && law_.system().contacts[crossing->contact].law;
+    retaken_ = opens && !retaken_ && crossing->phase - start_phase > shortest_retaken;
+    if (retaken_) next = crossing->phase - start_phase;
+    return retaken_;
+  }
+
  private:
-  static constexpr double first = 1e-3, shortest_first = 1e-9;
+  static constexpr double first = 1e-3, shortest_first = 1e-9, shortest_retaken = 1e-9;
   static constexpr std::size_t most_numbered = 4;
 
   /// Number of contacts whose modes have a size.
@@ -59,6 +73,7 @@ class StepSizes {
   const Law& law_;
   double tolerance_;
   std::vector<double> remembered_;  ///< for each joint mode; 0: none yet
+  bool retaken_ = false;            ///< true: the step is taken again
 };
 
 }  // namespace rubsweep::integrate::adaptive

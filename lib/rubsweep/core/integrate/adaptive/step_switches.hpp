@@ -66,6 +66,12 @@ class StepSwitches {
     return switched;
   }
 
+  /// Kinematics at the end of a step with the present rate.
+  void look_at_end() {
+    for (std::size_t j = 0; j < end_kinematics_.size(); ++j)
+      end_kinematics_[j] = dynamics_.kinematics(j, step_.end, step_.end_rate);
+  }
+
  private:
   /// Whether the slip of contact `i`, if it is zero, begins to grow.
   bool leaves_zero(std::size_t i) const {
@@ -123,12 +129,6 @@ class StepSwitches {
       dynamics_(step_.end, step_.end_rate, step_.end_phase);
     }
     look_at_end();
-  }
-
-  /// Kinematics at the end of a step with the present rate.
-  void look_at_end() {
-    for (std::size_t j = 0; j < end_kinematics_.size(); ++j)
-      end_kinematics_[j] = dynamics_.kinematics(j, step_.end, step_.end_rate);
   }
 
   Law& dynamics_;

@@ -51,26 +51,8 @@ std::vector<double> ExactRun<N>::section() const {
 }
 
 template <int N>
-void ExactRun<N>::put_section(std::vector<double>& section) const {
-  put_scaled(turn_start_, section);
-}
-
-template <int N>
-void ExactRun<N>::put_scaled(const State& physical, std::vector<double>& scaled) const {
-  scaled.assign(physical.data(), physical.data() + physical.size());
-  scale_.from_seconds(Eigen::Map<Eigen::VectorXd>(scaled.data(), physical.size()));
-}
-
-template <int N>
-typename ExactRun<N>::State ExactRun<N>::physical_of(std::span<const double> scaled) const {
-  State physical = Eigen::Map<const Eigen::VectorXd>(scaled.data(), turn_start_.size());
-  scale_.to_seconds(physical);
-  return physical;
-}
-
-template <int N>
 void ExactRun<N>::resume(std::span<const double> section) {
-  turn_start_ = physical_of(section);
+  turn_start_ = scale_.state_in_seconds<State>(section);
   ++book_.revolution;
   goes_on_ = false;
 }
@@ -105,7 +87,7 @@ run::Outcome ExactRun<N>::run_to_end(run::TurnReport& report) {
 template <int N>
 const typename ExactRun<N>::Handover& ExactRun<N>::handover() {
   handover_.phase_rad = clock_.phase_rad();
-  put_scaled(here_, handover_.state);
+  scale_.put_section(here_, handover_.state);
   handover_.modes = motion_.mode().modes;
   handover_.tangent_vectors.resize(here_.size(), tangents_);
   motion_.put_tangents(handover_.tangent_vectors);
@@ -115,7 +97,7 @@ const typename ExactRun<N>::Handover& ExactRun<N>::handover() {
 template <int N>
 bool ExactRun<N>::join(double phase_rad, std::span<const double> state, const std::vector<Mode>& modes,
                        const run::TurnReport& report) {
-  const State physical = physical_of(state);
+  const State physical = scale_.state_in_seconds<State>(state);
   const auto saturated = slip_.saturated_mode(motion_.machine(), modes::joint_mode_of(modes), physical);
   if (!saturated) return false;
   clock_.go_to_phase(phase_rad);
@@ -257,7 +239,7 @@ bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
   while (clock_.impulse_is_due())
     here.tail(here.size() / 2) += clock_.take_impulse() / scale_.in_seconds().unit_velocity_m_per_s();
   if (!enter_by_state(here)) return false;
-  note_switches(report, from, motion_.joint());
+  note_switches(from, motion_.joint(), motion_.mode().modes.size(), clock_.phase_rad(), book_, report);
   return begin_motion(here);
 }
 
@@ -285,17 +267,8 @@ bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
   const State here = motion_.physical();
   if (flights_only_) return hand_over(here, motion_.mode().guards[e].contact);
   const std::size_t joint = joint_mode_behind(motion_, slip_, e, here);
-  note_switches(report, motion_.joint(), joint);
+  note_switches(motion_.joint(), joint, motion_.mode().modes.size(), clock_.phase_rad(), book_, report);
   return motion_.change(joint) && begin_motion(here);
-}
-
-template <int N>
-void ExactRun<N>::note_switches(run::TurnReport& report, std::size_t from, std::size_t to) {
-  for (std::size_t i = 0; i < motion_.mode().modes.size(); ++i) {
-    const Mode before = modes::mode_in_joint_mode(from, i), after = modes::mode_in_joint_mode(to, i);
-    if (after == before) continue;
-    book_.note_switch({clock_.phase_rad(), static_cast<int>(i), before, after}, report);
-  }
 }
 
 /// Begins the motion in the mode that was entered at `here`; false as for `begin_slip`.

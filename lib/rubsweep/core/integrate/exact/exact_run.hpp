@@ -65,7 +65,7 @@ class ExactRun {
   /// Scaled state at the start of the next turn, as TurnReport::section.
   std::vector<double> section() const;
   /// Writes the section without an allocation, once `section` is large enough.
-  void put_section(std::vector<double>& section) const;
+  void put_section(std::vector<double>& section) const { scale_.put_section(turn_start_, section); }
   long revolution() const { return book_.revolution; }
   const run::Effort& effort() const { return book_.effort; }
 
@@ -73,8 +73,6 @@ class ExactRun {
   using Motion = ExactMotion<N>;
   using State = typename Motion::State;
 
-  void put_scaled(const State& physical, std::vector<double>& scaled) const;
-  State physical_of(std::span<const double> scaled) const;
   bool begin_turn(const run::TurnRequest& request, run::TurnReport& report);
   run::Outcome run_to_end(run::TurnReport& report);
   bool start_motion(bool pulses_changed);
@@ -87,8 +85,6 @@ class ExactRun {
   void passed(run::TurnReport& report, double duration_s);
   void land(run::TurnReport& report, std::size_t guard, double latest_s);
   bool switch_mode(run::TurnReport& report, std::size_t guard);
-  /// Reports the mode switches of all contacts between two joint modes.
-  void note_switches(run::TurnReport& report, std::size_t from, std::size_t to);
   bool begin_motion(const State& here);
   bool begin_slip(const State& here);
   bool renew_slip_watch(StepChoice& choice);

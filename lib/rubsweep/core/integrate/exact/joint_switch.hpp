@@ -7,6 +7,7 @@
 #include "rubsweep/core/integrate/exact/exact_motion.hpp"
 #include "rubsweep/core/integrate/exact/modes/joint_mode.hpp"
 #include "rubsweep/core/integrate/exact/slip_watch.hpp"
+#include "rubsweep/core/integrate/run/turn_book.hpp"
 
 namespace rubsweep::integrate::exact {
 
@@ -35,6 +36,15 @@ std::size_t joint_mode_behind(const ExactMotion<N>& motion, const SlipWatch<N>& 
     joint += modes::in_joint_mode(to, i) + (goes_backward ? backward : 0);
   }
   return joint;
+}
+
+/// Reports the mode switches of all contacts between two joint modes, at this phase.
+inline void note_switches(std::size_t from, std::size_t to, std::size_t contacts, double phase_rad,
+                          run::TurnBook& book, run::TurnReport& report) {
+  for (std::size_t i = 0; i < contacts; ++i) {
+    const contact::Mode before = modes::mode_in_joint_mode(from, i), after = modes::mode_in_joint_mode(to, i);
+    if (after != before) book.note_switch({phase_rad, static_cast<int>(i), before, after}, report);
+  }
 }
 
 }  // namespace rubsweep::integrate::exact

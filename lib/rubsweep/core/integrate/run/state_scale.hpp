@@ -40,6 +40,21 @@ struct StateScale {
   void from_seconds(State&& state) const {
     state.tail(state.size() / 2) /= speed_rad_per_s;
   }
+
+  /// State of `in_seconds()` from a section of this scale.
+  template <class State>
+  State state_in_seconds(std::span<const double> section) const {
+    State state =
+        Eigen::Map<const Eigen::VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
+    to_seconds(state);
+    return state;
+  }
+  /// Section of this scale from a state of `in_seconds()`. Allocates nothing once `section` is large enough.
+  template <class State>
+  void put_section(const State& state, std::vector<double>& section) const {
+    section.assign(state.data(), state.data() + state.size());
+    from_seconds(Eigen::Map<Eigen::VectorXd>(section.data(), state.size()));
+  }
 };
 
 /// Scale of the sections of a scene: its length scale, and radians of its shaft's rotation.

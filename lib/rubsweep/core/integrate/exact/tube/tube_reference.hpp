@@ -29,9 +29,7 @@ class TubeReference {
   /// columns are the slow part. False where the motion has no closed form, or an annular stop is armed.
   bool start(const std::vector<double>& section, const Eigen::MatrixXd& disturbances, std::size_t slow = 0) {
     base_ = {static_cast<std::size_t>(disturbances.cols()) - slow, slow};
-    State physical =
-        Eigen::Map<const Eigen::VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
-    scale_.to_seconds(physical);
+    const State physical = scale_.state_in_seconds<State>(section);
     motion_.carry_no_tangents();
     motion_.set_phases(0);
     if (!motion_.enter(0, physical)) return false;

@@ -1,3 +1,5 @@
+#include "rubsweep/maps/sweep/robustness.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -25,7 +27,7 @@ model::Machine kicked() {
   return machine;
 }
 
-TEST(EvaluateCellRobustnessIsRobust, KicksALittleWeakerAndALittleStronger) {
+TEST(RobustnessIsRobust, KicksALittleWeakerAndALittleStronger) {
   std::vector<double> forces_n;
   EXPECT_EQ(is_robust(row(MotionClass::subharmonic, 2), kicked(),
                       [&](const model::Machine& machine) {
@@ -36,7 +38,7 @@ TEST(EvaluateCellRobustnessIsRobust, KicksALittleWeakerAndALittleStronger) {
   EXPECT_EQ(forces_n, (std::vector{200 * (1 - 1e-6), 200 * (1 + 1e-6)}));
 }
 
-TEST(EvaluateCellRobustnessRobustShare, CountsTheNeighboursThatKeepClassAndOrder) {
+TEST(RobustnessRobustShare, CountsTheNeighboursThatKeepClassAndOrder) {
   const Row found = row(MotionClass::subharmonic, 2);
   std::vector<double> forces_n;
   const auto share =
@@ -52,7 +54,7 @@ TEST(EvaluateCellRobustnessRobustShare, CountsTheNeighboursThatKeepClassAndOrder
       robust_share(row(MotionClass::failed), kicked(), {}, [](const model::Machine&) { return Row{}; }));
 }
 
-TEST(EvaluateCellRobustnessIsRobust, NotWhereEitherChangesClassOrOrder) {
+TEST(RobustnessIsRobust, NotWhereEitherChangesClassOrOrder) {
   const Row found = row(MotionClass::subharmonic, 2);
   for (const Row& other :
        {row(MotionClass::subharmonic, 3), row(MotionClass::non_contact), row(MotionClass::failed)}) {
@@ -66,7 +68,7 @@ TEST(EvaluateCellRobustnessIsRobust, NotWhereEitherChangesClassOrOrder) {
   }
 }
 
-TEST(EvaluateCellRobustnessIsRobust, SaysNothingWhereNoKickWasSimulated) {
+TEST(RobustnessIsRobust, SaysNothingWhereNoKickWasSimulated) {
   const auto never = [](const model::Machine&) -> Row {
     ADD_FAILURE() << "nothing to run";
     return {};
@@ -85,7 +87,7 @@ std::optional<bool> robust(Study study) {
   return evaluate_cell(study, 0, workspace).robust;
 }
 
-TEST(EvaluateCellRobustnessEvaluateCell, SaysWhetherItIsRobustWhenAsked) {
+TEST(RobustnessEvaluateCell, SaysWhetherItIsRobustWhenAsked) {
   // A motion that is at rest after a few turns, one in the middle of the 1/2 tongue, and one without a kick.
   EXPECT_EQ(robust(one_side_study({50}, {0.1})), true);
   EXPECT_EQ(robust(one_side_study({75}, {0.4})), true);
@@ -95,7 +97,7 @@ TEST(EvaluateCellRobustnessEvaluateCell, SaysWhetherItIsRobustWhenAsked) {
       << "off by default";
 }
 
-TEST(EvaluateCellRobustnessEvaluateCell, TheVerdictIsThatOfTheKickAsItIs) {
+TEST(RobustnessEvaluateCell, TheVerdictIsThatOfTheKickAsItIs) {
   Study study = one_side_study({75}, {0.4});
   response::motion::Workspace workspace;
   Row plain = evaluate_cell(study, 0, workspace);
