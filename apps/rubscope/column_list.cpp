@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/maps/table/unit.hpp"
+
 namespace rubsweep::apps {
 
 using namespace recording;
@@ -23,6 +25,12 @@ std::optional<double> even_step(const std::vector<double>& values) {
   for (std::size_t k = 1; k < values.size(); ++k)
     if (!(std::abs(values[k] - values[0] - step * static_cast<double>(k)) < step / 2)) return std::nullopt;
   return step;
+}
+
+/// True for a column of times, or one without a unit, which may be one.
+bool may_be_times(const Channel& channel) {
+  const auto unit = table::unit_of(channel.unit);
+  return channel.unit.empty() || (unit && unit->quantity == table::Quantity::time);
 }
 
 std::string unit_text(const Channel& channel) { return channel.unit.empty() ? "-" : channel.unit; }
@@ -48,8 +56,9 @@ std::string clock_text(const Channels& channels) {
   if (channels.sampling_rate_hz)
     text = fmt::format("clock     {:.8g} readings a second, as the file says\n", *channels.sampling_rate_hz);
   for (const Channel& channel : channels.channels)
-    if (const auto step = even_step(channel.values))
-      text += fmt::format("clock     '{}' rises evenly, by {:.8g} {}\n", channel.name, *step, channel.unit);
+    if (const auto step = may_be_times(channel) ? even_step(channel.values) : std::nullopt)
+      text += fmt::format("clock     '{}' rises evenly, by {:.8g}{}\n", channel.name, *step,
+                          channel.unit.empty() ? "" : ' ' + channel.unit);
   if (text.empty())
     text =
         "clock     none: no column rises evenly; give sampling_rate_hz in the description, or the column of "

@@ -33,5 +33,11 @@ TEST(ColumnList, SaysThatThereIsNoClock) {
   EXPECT_FALSE(says(list, "takes `unit: um`")) << list;
 }
 
+TEST(ColumnList, AColumnInAnotherUnitIsNoClock) {
+  const std::string list = column_list(read_delimited_text("t [ms],T [Deg C]\n0,20\n1,21\n2,22\n", "f"), "f");
+  EXPECT_TRUE(says(list, "'t' rises evenly, by 1 ms")) << list;
+  EXPECT_FALSE(says(list, "'T' rises evenly")) << list;
+}
+
 }  // namespace
 }  // namespace rubsweep::apps

@@ -79,6 +79,25 @@ TEST(LabviewText, JoinsTimesThatAreTheSame) {
             std::string::npos);
 }
 
+TEST(LabviewText, BracketsOfANameAreNoUnitWhereTheHeadHasAnother) {
+  const Channels table = read_delimited_text(
+      labview_head("No") +
+          labview_segment(3, "10:15:30", "X_Value\tX (um)\tResponse (Trigger)\tComment", two_signals),
+      "f");
+  EXPECT_EQ(table.channels[1].name, "X");
+  EXPECT_EQ(table.channels[1].unit, "um");
+  EXPECT_EQ(table.channels[2].name, "Response (Trigger)");
+  EXPECT_EQ(table.channels[2].unit, "Volts");
+}
+
+TEST(LabviewText, HasNoRateWhereTheTimesDoNotKeepToIt) {
+  const auto row = [](std::size_t k) { return fmt::format("{}\t1\t2", k * k); };
+  const Channels table =
+      read_delimited_text(labview_head("One") + labview_segment(4, "10:15:30", labview_names, row), "f");
+  EXPECT_FALSE(table.sampling_rate_hz);
+  EXPECT_EQ(table.channels[0].values[3], 9);
+}
+
 TEST(LabviewText, SegmentsFollowEachOtherByTheirInstants) {
   const std::string first =
       labview_head("No") + labview_segment(40, "10:15:30.100", labview_names, two_signals);

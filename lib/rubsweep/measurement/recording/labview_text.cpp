@@ -60,13 +60,13 @@ class Head {
       : text_(text), separator_(text.find('\t') < text.find(times_name) ? '\t' : ',') {}
 
   /// Cells behind `key` in the last line that begins with it, because the header of a segment stands below
-  /// that of the file.
+  /// that of the file. The last line of all has the key X_Value: the names of the signals.
   std::vector<std::string_view> cells(std::string_view key) const {
     std::vector<std::string_view> found;
     for (std::string_view rest = text_; !rest.empty();) {
       auto cells = table::cells_of(table::take_line(rest), separator_);
-      if (cells.front() == times_name) break;
       if (cells.front() == key) found = {cells.begin() + 1, cells.end()};
+      if (cells.front() == times_name) break;
     }
     return found;
   }
@@ -131,6 +131,33 @@ void join_times(Channels& table) {
                 [&](const Channel& one) { return is_times(one) && std::exchange(kept, true); });
 }
 
+/// Gives the signals the units of Y_Unit_Label. Where a name ends in brackets with another word, as in
+/// `Response (Trigger)`, the word is no unit but part of the name.
+void label_units(Channels& table, const Head& head) {
+  const auto units = head.cells("Y_Unit_Label"), names = head.cells(times_name);
+  for (Channel& channel : table.channels) {
+    if (channel.number < 2 || channel.number >= units.size() + 2) continue;
+    const std::string_view unit = units[channel.number - 2];
+    if (unit.empty() || unit == channel.unit) continue;
+    if (!channel.unit.empty()) channel.name = names[channel.number - 2];
+    channel.unit = unit;
+  }
+}
+
+/// Forgets the rate, which is 1 / Delta_X, where the times of the file do not keep to it: LabVIEW writes a
+/// Delta_X of 1 s for readings that come when they come.
+void forget_untrue_rate(Channels& table) {
+  const auto times = std::ranges::find_if(table.channels, is_times);
+  if (times == table.channels.end() || !table.sampling_rate_hz) return;
+  const auto& values = times->values;
+  const double step = 1 / *table.sampling_rate_hz;
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (!(std::abs(values[k] - values[0] - step * static_cast<double>(k)) < step / 2)) {
+      table.sampling_rate_hz.reset();
+      return;
+    }
+}
+
 /// Reads one segment: fills the column of times where it is empty, and gives units to the signals.
 Channels read_segment(const Segment& segment) {
   Channels table;
@@ -141,10 +168,8 @@ Channels read_segment(const Segment& segment) {
     throw;
   }
   const Head head(segment.text);
-  const auto units = head.cells("Y_Unit_Label");
-  for (Channel& channel : table.channels)
-    if (channel.number >= 2 && channel.number < units.size() + 2 && channel.unit.empty())
-      channel.unit = units[channel.number - 2];
+  label_units(table, head);
+  forget_untrue_rate(table);
   const auto step = head.number("Delta_X");
   for (const char* key : {"Delta_X", "X0"}) {
     const auto cells = head.cells(key);
