@@ -9,7 +9,7 @@ OF_METHOD = "docs/method/"
 
 _FUNCTIONS = {"sqrt", "exp", "ln", "log", "cos", "sin", "tanh", "atan", "det", "max", "min", "Re", "Im", "conj", "floor", "binomial"}
 _SYMBOLS = {"pi": "π", "mu": "μ", "<=": "≤", ">=": "≥", "-": "−", "'": "′", "...": "…"}
-_RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿⁱᵃᵀᴴ", "0123456789+−niaTH"))
+_RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ᵀᴴ", "0123456789+−TH")) | {"ⁿ": "<i>n</i>", "ⁱ": "<i>i</i>", "ᵃ": "<i>a</i>"}
 _LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋.", "0123456789+−."))
 _RAISED_CLASS, _LOWERED_CLASS = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿⁱᵃᵀᴴ", "₀₁₂₃₄₅₆₇₈₉₊₋"
 _GREEK = "α-ωΑ-Ω"
