@@ -8,6 +8,7 @@ import posixpath
 import shutil
 import sys
 
+from formula import with_formulas
 from header_links import header_pages, link_headers, with_documents
 from key_links import REFERENCE, link_names, targets_of, with_row_names
 from markdown_page import laid_out, linked_files, page_of, render, title_of, with_page_links
@@ -81,7 +82,8 @@ def main(top, site, tag_file):
         title = title_of(body)
         folder = posixpath.dirname(document) or "."
         generated = document.startswith(REFERENCE) or document == "CHANGELOG.md"
-        body, found = link_headers(with_page_links(body, document), pages, posixpath.relpath("library", folder) + "/")
+        body = with_formulas(with_page_links(body, document), document)
+        body, found = link_headers(body, pages, posixpath.relpath("library", folder) + "/")
         if document not in ("docs/keys.md",) and not document.startswith(REFERENCE):
             body = link_names(body, document, targets)
         for (anchor, heading), header_page in found:

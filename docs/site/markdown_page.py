@@ -6,6 +6,9 @@ import posixpath
 import re
 import subprocess
 
+# Titles of these pages begin with the name of their group.
+GROUPS = ("Validation", "History")
+
 
 def render(text):
     """The HTML of a text, its headings with names."""
@@ -30,13 +33,26 @@ def laid_out(body, words, words_per_minute):
     # A name in the first cell of a row may be cut behind a dot or a low line; other short code is not cut.
     body = re.sub(r"(?<=<td>)(?:– )?(?:<a [^>]*>)?<code>[^<]*</code>",
                   lambda match: re.sub(r"(?:(?<=\.)|(?<=_))(?=[^<>_.]{3}[^<>]*</code>)", "<wbr>", match[0]), body)
-    body = re.sub(r"<code>(?=[^<]{31})", '<code class="long">', body)
+    # Long code is cut behind a stroke or a low line, and a number is not cut behind the minus of its power of ten.
+    body = re.sub(r"<code>([^<]{31,}?)</code>(?!</pre>)", lambda match: f'<code class="long">{_with_breaks(match[1])}</code>', body)
+    body = "".join(re.sub(r"(?<![\w.])\d[\d.]*e-\d+", r'<span class="whole">\g<0></span>', part) if text else part
+                   for text, part in _texts(body))
     # Some pages say their time themselves.
     if not words or re.search(r"</h1>\s*<p><em>\d+ minutes", body):
         return body
     minutes = max(1, round(words / words_per_minute))
     time = f'<p class="reading">{words} words, {minutes} min</p>'
     return re.sub(r"</h1>", lambda match: f"{match[0]}\n{time}", body, count=1)
+
+
+def _with_breaks(code):
+    return re.sub(r"(?<=[/_])(?=\w{3})", "<wbr>", code)
+
+
+def _texts(body):
+    """Parts of a body, each with whether it is text and neither code nor a tag."""
+    for part in re.split(r"(<pre>.*?</pre>|<code.*?</code>|<[^>]*>)", body, flags=re.DOTALL):
+        yield not part.startswith("<"), part
 
 
 def anchor(heading):
@@ -51,6 +67,12 @@ def title_of(body):
     if not heading:
         raise ValueError("a document without a heading")
     return html.unescape(re.sub(r"<[^>]*>", "", heading[1]))
+
+
+def short_title(body):
+    """The title up to a colon; behind it where this is the name of a group of pages."""
+    group, _, own = title_of(body).partition(": ")
+    return own[:1].upper() + own[1:] if own and group in GROUPS and not own.startswith("what") else group
 
 
 def page_of(document):

@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass, field
 from typing import List
 
-from markdown_page import linked_files, page_of, title_of
+from markdown_page import linked_files, page_of, short_title
 
 
 @dataclass
@@ -49,8 +49,8 @@ def pages_of(section, bodies):
 
 
 def name_of(place, bodies):
-    """What a page is called in the menu: its title up to a colon."""
-    return NAMES.get(place) or title_of(bodies[place]).split(":")[0]
+    """What a page is called in the menu."""
+    return NAMES.get(place) or short_title(bodies[place])
 
 
 def target_of(place):

@@ -4,7 +4,7 @@ import json
 import re
 
 from key_links import REFERENCE, rows_of, text_of
-from markdown_page import page_of, title_of
+from markdown_page import page_of, short_title
 
 
 def sections_of(body):
@@ -15,7 +15,7 @@ def sections_of(body):
 
 def entries(document, body):
     """Lists of page, anchor, title, the page's own name, and text."""
-    page, name = page_of(document), title_of(body).split(":")[0]
+    page, name = page_of(document), short_title(body)
     found = [[page, "" if i == 0 else anchor, heading, name if i else "", text]
              for i, (anchor, heading, text) in enumerate(sections_of(body))]
     if document.startswith(REFERENCE) or document == "docs/keys.md":

@@ -155,6 +155,15 @@ class SiteTest(unittest.TestCase):
         self.browser.run("document.querySelector('dialog').click()")
         self.assertFalse(self.browser.run(opened))
 
+    def test_formulas_are_set(self):
+        self.open("docs/method/design.html")
+        for width, height in WIDTHS.items():
+            self.browser.resize(width, height)
+            over, under = self.browser.run("return [...document.querySelector('div.formula .fraction').children].map((part) => "
+                                           "[part.getBoundingClientRect().top, part.getBoundingClientRect().bottom])")
+            self.assertTrue(over[0] < over[1] <= under[0] + 1 < under[1], (over, under))
+        self.assertEqual(self.browser.run("return getComputedStyle(document.querySelector('.math i')).fontStyle"), "italic")
+
     def test_chapters_lead_to_the_next(self):
         pages = [page for page in self.pages if 'class="neighbours"' in (site / page).read_text(encoding="utf-8")]
         self.assertGreater(len(pages), 3)

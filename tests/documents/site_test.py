@@ -10,9 +10,10 @@ import shutil
 import sys
 import unittest
 
+from formula import is_formula, set_formula, with_formulas
 from header_links import link_headers, with_documents
 from key_links import link_names, rows_of, targets_of, with_row_names
-from markdown_page import anchor, laid_out, page_of, render, with_page_links
+from markdown_page import anchor, laid_out, page_of, render, short_title, with_page_links
 from navigation import contents, menu, neighbours
 from search_index import entries
 
@@ -102,6 +103,40 @@ class Parts(unittest.TestCase):
         self.assertEqual(linked.count("<a "), 1)
         self.assertEqual(named, [(("x", "X"), "settle.html")])
 
+    def test_code_of_the_method_is_a_formula_or_a_name(self):
+        for formula in ("p", "c_r", "g1", "2 D / s", "K p", "p''", "(p, q)", "|g''| ≤ M", "step × fastest rate", "s_x = dx/dz",
+                        "n floor(64 / n)"):
+            self.assertTrue(is_formula(formula), formula)
+        for name in ("rest", "max_order", "dopri5", "mode 1", "basin/", "response/settle", "method: exact", "--rounds",
+                     "rubtrace --sample-s T", "tests/core/integrate/taylor", "contact/force_law.hpp", "audit events 600 11 thin_flats"):
+            self.assertFalse(is_formula(name), name)
+
+    def test_formulas_are_set(self):
+        blank = "\u202f"  # thin, and no place for the end of a line
+        for text, shown in {"c_r d'": f"<i>c</i><sub><i>r</i></sub>{blank}<i>d</i>′", "x'₊²": "<i>x</i>′<sub>+</sub><sup>2</sup>",
+                            "P_(i+1)": "<i>P</i><sub><i>i</i>+1</sub>", "2e-3": "2 · 10<sup>−3</sup>",
+                            "e^(−i φ)": f"<i>e</i><sup>−<i>i</i>{blank}<i>φ</i></sup>",
+                            "sqrt(m)": '<span class="root">√<span><i>m</i></span></span>', "a < b": "<i>a</i> &lt; <i>b</i>",
+                            "rotating_damping_ratio": "rotating_damping_ratio"}.items():
+            self.assertEqual(set_formula(text, False), shown)
+        fraction = '<span class="fraction"><span>{}</span><span>{}</span></span>'.format
+        self.assertEqual(set_formula("x = (a + b) / (2 c)", True), "<i>x</i> = " + fraction("<i>a</i> + <i>b</i>", f"2{blank}<i>c</i>"))
+        self.assertEqual(set_formula("−Im G / Re G", True), f"−{fraction('Im <i>G</i>', 'Re <i>G</i>')}".replace(" <", f"{blank}<"))
+        self.assertNotIn("fraction", set_formula("(1 + c / d)", True))
+        with self.assertRaises(ValueError):
+            set_formula("(a", False)
+
+    def test_formulas_stand_in_chapters_of_the_method_only(self):
+        body = "<p><code>a / b</code> <code>rest</code></p><pre><code>a = b,   c\n</code></pre><pre><code>rubsweep --help\n</code></pre>"
+        self.assertEqual(with_formulas(body, "docs/guide/maps.md"), body)
+        seen = with_formulas(body, "docs/method/exact.md")
+        self.assertIn('<span class="math short"><i>a</i> / <i>b</i></span> <code>rest</code>', seen)
+        self.assertIn('<div class="formula"><span><i>a</i> = <i>b</i>,</span><span><i>c</i></span></div>', seen)
+        self.assertIn("<pre><code>rubsweep --help", seen)
+        lines = with_formulas("<pre><code>open    a  (b)\nclosed  c\n</code></pre>", "docs/method/contact.md")
+        self.assertEqual(lines.count("<td>"), 6)
+        self.assertIn("<tr><td>closed</td><td><i>c</i></td><td></td></tr>", lines)
+
     def test_rows_of_the_reference_can_be_linked_to(self):
         body = with_row_names("<tr>\n<td><code>rotor.mass_kg</code></td>\n<td>mass</td>\n<td>kg</td>\n</tr>\n"
                               "<tr>\n<td>– <code>rest</code></td>\n<td>at rest</td>\n</tr>\n"
@@ -131,6 +166,10 @@ class Parts(unittest.TestCase):
         self.assertEqual(body.count('<code class="long">'), 1)
         self.assertNotIn("reading", laid_out("<h1>T</h1>", 0, 200))
         self.assertNotIn("reading", laid_out("<h1>T</h1>\n<p><em>4 minutes.</em> So it begins.</p>", 700, 200))
+        self.assertIn('<code class="long">tests/<wbr>core/<wbr>integrate/<wbr>dry_<wbr>friction_<wbr>test</code>',
+                      laid_out("<td>x <code>tests/core/integrate/dry_friction_test</code></td>", 0, 200))
+        self.assertIn('to <span class="whole">1.5e-12</span> of', laid_out("<p>to 1.5e-12 of</p>", 0, 200))
+        self.assertEqual(laid_out("<code>1e-12</code>", 0, 200), "<code>1e-12</code>")
         self.assertIn("<td><code>a.N.<wbr>bcd_<wbr>efg_m</code></td>", laid_out("<td><code>a.N.bcd_efg_m</code></td>", 0, 200))
 
     def test_pages_of_a_section_stand_as_its_first_one_links_to_them(self):
@@ -143,6 +182,11 @@ class Parts(unittest.TestCase):
         self.assertEqual(seen.count("<details open>"), 1)
         self.assertEqual(re.findall(r'href="([^"]*)"', neighbours("docs/method/b.md", bodies)), ["z.html", "a.html"])
         self.assertEqual(re.findall(r'href="([^"]*)"', neighbours("docs/method.md", bodies)), ["method/z.html"])
+
+    def test_pages_of_a_group_are_told_apart(self):
+        for title, name in {"Validation: which rub": "Which rub", "Validation: what is reproduced": "Validation",
+                            "Which rub: rubdiagnose": "Which rub", "The ring": "The ring"}.items():
+            self.assertEqual(short_title(f'<h1 id="x">{title}</h1>'), name)
 
     def test_contents_of_a_page(self):
         self.assertEqual(contents('<h2 id="a">A</h2><h2 id="b">B</h2>'), "")
