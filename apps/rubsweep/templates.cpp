@@ -5,7 +5,8 @@
 namespace rubsweep::apps::templates {
 namespace {
 
-/// First line of a template as written; it replaces the line with the schema's path in the repository.
+/// Head of a template that is given to a user. It replaces the line with the path of the schema in the
+/// repository.
 constexpr std::string_view head =
     "# yaml-language-server: $schema=rubsweep.schema.json\n"
     "# An editor completes and checks by that schema: rubsweep --schema > rubsweep.schema.json\n";

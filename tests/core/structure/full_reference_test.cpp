@@ -45,7 +45,7 @@ bool mistaken(const model::Machine& machine, const KitAssembly& kit) {
 }
 
 TEST(FullReference, TellsGrowthThatTheModesOfAKitLack) {
-  // Against the shaft's rotation: the seal drives backward whirl in all modes that move it.
+  // Against the shaft's rotation: the seal drives backward whirl in all modes that move the seal.
   model::Machine machine = fed_by_a_seal(0.15, 1e5);
   EXPECT_FALSE(mistaken(machine, assemble_rotor_kit(machine)));
   KitAssembly other = assemble_rotor_kit(fed_by_a_seal(0.15, 0));

@@ -89,7 +89,7 @@ class TurnReader {
   }
 
  private:
-  /// State at k / samples of a turn; at its end the first state of the next turn.
+  /// State at k / samples of a turn; for k = samples the first state of the next turn.
   trace::TraceState sample(const integrate::run::TurnReport& turn, int k) const {
     if (k == samples_) return reader_.read_motion(turn.section);
     return reader_.read_motion(

@@ -20,7 +20,7 @@ namespace {
 /// Latest phase at which closed forms take over again; after it too little time is left in the turn.
 constexpr double last_join = numerics::full_turn - 1e-9;
 
-/// The scene with linear contacts in place of others: the same flights.
+/// The scene with linear contacts in place of others; its flights are the same.
 scene::Scene with_linear_contacts(scene::Scene scene) {
   for (scene::Contact& contact : scene.contacts) contact.law = nullptr;
   return scene;

@@ -72,8 +72,8 @@ bool decide(const Followed& motion, std::size_t turns_before,
 }
 
 constexpr long first_watch = 200;  ///< turns from the start of watching to the first test
-/// Largest exponent of a torus by smooth weights, over all turns and over each half. On 281 cells of an
-/// annular map these limits separated all 237 tori from 29 chaotic and 15 other motions.
+/// Largest exponent of a torus, computed with smooth weights, over all turns and over each half. On 281 cells
+/// of an annular map these limits separated all 237 tori from 29 chaotic and 15 other motions.
 constexpr double torus_exponent = 2e-4, torus_half_exponent = 8e-4;
 /// Required accuracy of the closest return's rate; coarse, because the exponent is known much better.
 constexpr double return_rate_known_to = 2e-3;

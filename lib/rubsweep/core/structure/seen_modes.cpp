@@ -63,8 +63,8 @@ std::vector<bool> seen_by_shape(const BeamShaft& shaft, const StudiedPlane& plan
   return seen;
 }
 
-/// A matrix between planes a (rows) and b, and the power of a mode's frequency by which its forces become
-/// comparable.
+/// A matrix from displacements of plane b to forces in plane a. Multiplied by this power of the frequency of
+/// a mode, the forces of different matrices are comparable.
 struct Coupling {
   std::size_t a, b;
   MatrixXd matrix;

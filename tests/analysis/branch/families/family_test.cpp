@@ -27,7 +27,7 @@ Families families_of(const sweep::Study& study, std::span<const std::size_t> pro
 
 sweep::Study study_of_two_ratios() { return test::half_orbit_study({0.3, 0.4}); }
 
-/// The half orbit of parameter set A at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz. The family
+/// The 1/2 orbit of parameter set A at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz. The family
 /// has the cells in between and ends at these folds, which continuation of the whole branch finds as well.
 TEST(FamilyFamilies, TheHalfOrbitOfAMap) {
   const std::atomic<bool> stop{false};

@@ -198,7 +198,7 @@ TEST(ApproachComesNear, ATransientThatMeetsAnEdgeLaterDoesNot) {
   EXPECT_FALSE(comes_near(spiral, far, at.orbit, at.norms, {1e-6, 0, true}, no_end));
 }
 
-/// The spiral is linear, so half of the distance suffices.
+/// The spiral is linear, so half of the distance confirms the prediction.
 TEST(ApproachComesNear, HalfWayIsEnoughWhereItIsForetold) {
   const std::array<double, 2> near{0.02, 0};
   const Found at = orbit_near(near);

@@ -186,7 +186,8 @@ class Finder {
     return change <= single + 2 * pairs && (change - single) % 2 == 0;
   }
 
-  /// Finds tori. The test function is also zero for two real multipliers of the product 1, which is no torus.
+  /// Finds tori. The test function is also zero for two real multipliers whose product is 1, which is no
+  /// torus.
   void find_tori() {
     if (find({EventKind::neimark_sacker, torus_test_of}) &&
         !orbits::nearest_pair_is_complex(events_.back().point.multipliers))

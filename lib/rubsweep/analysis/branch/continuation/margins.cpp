@@ -45,7 +45,8 @@ Extrema extrema_of(const Cubic& f) {
   return found;
 }
 
-/// Place where a function that is positive at the begin may have two roots that its end signs do not show.
+/// Place of a dip through which a function that is positive at the beginning may have two roots, although the
+/// signs at its ends do not show them.
 std::optional<double> dip_of(const Cubic& f) {
   const Extrema extrema = extrema_of(f);
   if (!extrema.lowest) return std::nullopt;

@@ -17,7 +17,8 @@ namespace {
 /// Spacing of cubics in radians of a vibration. They miss its peaks by less than h^4 / 384 of its amplitude:
 /// 2e-9 for the vibration by unbalance, and 1e-6 for faster vibrations, which are comparatively small.
 constexpr double peak_step = 0.03, fast_peak_step = 0.15;
-/// Longest Taylor piece, in radians of the fastest vibration; a step must be longer to save time.
+/// Longest Taylor piece, in radians of the fastest vibration; a step in closed form saves time only if it
+/// is longer.
 constexpr double piece = 8;
 /// A vibration below this share of a clearance is ignored: it adds less than that to a peak.
 constexpr double unseen = 1e-10;

@@ -26,8 +26,9 @@ std::optional<MatrixXd> sum_of_powers(MatrixXd a, MatrixXd q) {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Largest projection onto the contacts, relative to the eigenvector's length, that counts as zero. If it is
-/// more than rounding, the ball only becomes smaller, because its tubes include everything.
+/// Largest projection onto the contacts, relative to the eigenvector's length, that counts as zero. If
+/// such a projection is more than rounding, the ball only becomes smaller, because its tubes take every
+/// disturbance into account.
 constexpr double unseen = 1e-8;
 constexpr double slow_from = 0.5;  ///< least share of a slow disturbance left after a turn
 
