@@ -77,7 +77,7 @@ double peak_to_peak_m(const Recording& recording, double angle_deg) {
 struct Judged {
   double value = 0;
   std::optional<ZoneLimits> limits{};
-  bool velocity = false;
+  bool velocity = false, own_limits = false;
 };
 
 std::optional<Judged> judged(const Recording& recording, const std::vector<OverallValue>& values) {
@@ -89,6 +89,12 @@ std::optional<Judged> judged(const Recording& recording, const std::vector<Overa
     largest.value = std::max(largest.value, value.velocity_rms_m_per_s.value_or(value.peak_to_peak_m));
   if (!largest.velocity) largest.limits = shaft_limits(recording.mean_speed_hz());
   if (largest.velocity && recording.machine_group) largest.limits = casing_limits(*recording.machine_group);
+  const auto& own = largest.velocity ? recording.zone_limits_mm_per_s : recording.zone_limits_um;
+  largest.own_limits = own.has_value();
+  if (own) {
+    largest.limits = own;
+    for (double& limit : *largest.limits) limit *= largest.velocity ? 1e-3 : 1e-6;
+  }
   return largest;
 }
 
@@ -97,9 +103,10 @@ std::string zone_text(const Judged& judged) {
   const char* const unit = judged.velocity ? "mm/s" : "um";
   if (judged.limits) {
     const auto& [ab, bc, cd] = *judged.limits;
-    return fmt::format("          zone {} of ISO 20816-3: A to {:.3g}, B to {:.3g}, C to {:.3g} {} {}\n",
-                       zone_of(judged.value, *judged.limits), scale * ab, scale * bc, scale * cd, unit,
-                       judged.velocity ? "rms" : "peak to peak");
+    return fmt::format("          zone {} of {}: A to {:.3g}, B to {:.3g}, C to {:.3g} {} {}\n",
+                       zone_of(judged.value, *judged.limits),
+                       judged.own_limits ? "the limits given" : "ISO 20816-3", scale * ab, scale * bc,
+                       scale * cd, unit, judged.velocity ? "rms" : "peak to peak");
   }
   if (!judged.velocity) return "          no zone: ISO 20816-3 has limits from 600 to 30000 rpm\n";
   const char best = zone_of(judged.value, casing_limits(MachineGroup::large_flexible)),
@@ -172,8 +179,8 @@ std::string overall_csv(const Recording& recording, const std::vector<OverallVal
   const auto judged_value = judged(recording, values);
   if (!judged_value || !judged_value->limits) return text;
   for (std::size_t i = 0; i < 3; ++i)
-    text += fmt::format("iso_20816_zone_{}_to_{},{},\n", "abc"[i], judged_value -> velocity ? "m_per_s" : "m",
-                        csv_number((*judged_value->limits)[i]));
+    text += fmt::format("{}zone_{}_to_{},{},\n", judged_value->own_limits ? "" : "iso_20816_", "abc"[i],
+                        judged_value -> velocity ? "m_per_s" : "m", csv_number((*judged_value->limits)[i]));
   return text;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "rubsweep/core/model/speed_text.hpp"
@@ -66,17 +68,22 @@ std::string why_none(const RunUp& run_up, std::size_t sensor, const model::Shown
 
 }  // namespace
 
-std::string sensors_csv(const LinearRun& run, const Eigen::MatrixXd& signal_m) {
+std::string sensors_csv(const LinearRun& run, const Eigen::MatrixXd& signal,
+                        const std::vector<int>& derivative) {
+  constexpr std::array<std::string_view, 3> units{"m", "m_per_s", "m_per_s2"};
   std::string text = "t_s,speed_hz,shaft_angle_rad";
-  for (Eigen::Index i = 0; i < signal_m.cols(); ++i) text += fmt::format(",sensor_{}_m", i);
+  for (Eigen::Index i = 0; i < signal.cols(); ++i) {
+    const int order = derivative.empty() ? 0 : derivative[static_cast<std::size_t>(i)];
+    text += fmt::format(",sensor_{}_{}", i, units[static_cast<std::size_t>(order)]);
+  }
   text += '\n';
-  for (Eigen::Index k = 0; k < signal_m.rows(); ++k) {
+  for (Eigen::Index k = 0; k < signal.rows(); ++k) {
     const double t = static_cast<double>(k) * run.sample_s;
     text += csv_number(t);
     for (const double value : {shaft_speed_hz(run, t), shaft_angle_rad(run, t)}) {
       text.append(",").append(csv_number(value));
     }
-    for (Eigen::Index i = 0; i < signal_m.cols(); ++i) text.append(",").append(csv_number(signal_m(k, i)));
+    for (Eigen::Index i = 0; i < signal.cols(); ++i) text.append(",").append(csv_number(signal(k, i)));
     text += '\n';
   }
   return text;

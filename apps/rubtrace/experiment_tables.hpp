@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/core/model/length_text.hpp"
@@ -15,9 +16,11 @@ struct ExperimentTables {
   std::string summary;             ///< text for a terminal
 };
 
-/// CSV with t_s, speed_hz, shaft_angle_rad, then sensor_i_m. `signal_m`: one row per sample, one column per
-/// sensor.
-std::string sensors_csv(const linear::LinearRun& run, const Eigen::MatrixXd& signal_m);
+/// CSV with t_s, speed_hz, shaft_angle_rad, then sensor_i_m. `signal`: one row per sample, one column per
+/// sensor. `derivative`: of each sensor, 1 for sensor_i_m_per_s, 2 for sensor_i_m_per_s2; empty:
+/// displacements.
+std::string sensors_csv(const linear::LinearRun& run, const Eigen::MatrixXd& signal,
+                        const std::vector<int>& derivative = {});
 
 ExperimentTables tables_of(const linear::FreeResponse& response);
 /// Tables and summary of a run-up. `shown`: unit of amplitudes in the summary, m by default.

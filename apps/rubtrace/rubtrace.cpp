@@ -15,6 +15,7 @@
 #include "experiment_questions.hpp"
 #include "experiment_tables.hpp"
 #include "motion_summary.hpp"
+#include "probe_argument.hpp"
 #include "rotor_report.hpp"
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
@@ -93,11 +94,13 @@ trace::Probes probes_of(const RubtraceArguments& arguments, const scene::Prepare
   if (readings < fewest_readings)
     throw UsageError(
         fmt::format("--sample-s: allowed: short enough for {} samples or more", fewest_readings));
+  if (!arguments.probe.empty()) return probes_of(arguments.probe, prepared, arguments.sample_s);
   const linear::SensorRows sensors = linear::sensor_rows(prepared);
   return {sensors.rows, sensors.angle_deg, arguments.sample_s, arguments.noise_m};
 }
 
-std::vector<double> places_of_sensors(const model::Machine& machine) {
+std::vector<double> places_of_probes(const RubtraceArguments& arguments, const model::Machine& machine) {
+  if (!arguments.probe.empty()) return places_of(arguments.probe);
   std::vector<double> places;
   if (const model::RotorKit* kit = model::kit_of(machine)) {
     for (const model::Sensor& sensor : kit->sensors) places.push_back(sensor.position_m);
@@ -108,22 +111,21 @@ std::vector<double> places_of_sensors(const model::Machine& machine) {
 /// Adds the readings of the probes. Returns a text that compares the period found from the probes with that
 /// of the section.
 std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
-                           const sweep::Study& study, const model::ShownLengths& shown,
+                           const sweep::Study& study, const RubtraceArguments& arguments,
                            response::motion::Workspace& workspace, batch::ResultFiles& files) {
-  files["sensors.csv"] = sensors_csv({.from_hz = speed_hz,
-                                      .sample_s = probes.sample_s,
-                                      .samples = static_cast<int>(trace.readings_m.rows())},
-                                     trace.readings_m);
-  const auto pair = trace::pair_of(probes.angle_deg, places_of_sensors(study.machine));
+  files["sensors.csv"] = sensors_csv(
+      {.from_hz = speed_hz, .sample_s = probes.sample_s, .samples = static_cast<int>(trace.readings.rows())},
+      trace.readings, probes.derivative);
+  const auto pair = trace::pair_of(probes.angle_deg, places_of_probes(arguments, study.machine));
   if (!pair) return "probes    no two of them see one place from two directions\n";
-  const auto z = trace::displacement_of(trace.readings_m, *pair, probes.angle_deg);
+  const auto z = trace::displacement_of(trace.readings, *pair, probes.angle_deg);
   const int turns = static_cast<int>(std::min<long>(trace.revolutions, study.response.window_revolutions));
   const trace::ProbePeriod period =
       trace::find_period(z, probes.sample_s, speed_hz, probes.noise_m, turns, study.response.max_order);
   const auto spectrum = trace::probe_spectrum(z, probes.sample_s, speed_hz, turns, period.period.value_or(1),
                                               workspace.spectrum);
   files["probe_spectrum.csv"] = trace::spectrum_csv(spectrum, speed_hz);
-  return trace::probe_summary(period, *pair, probes, shown);
+  return trace::probe_summary(period, *pair, probes, arguments.shown);
 }
 
 trace::TraceOptions options_of(const RubtraceArguments& arguments, const sweep::Study& study,
@@ -137,16 +139,16 @@ trace::TraceOptions options_of(const RubtraceArguments& arguments, const sweep::
 
 /// Adds the trace's files and text to those of the row.
 void add_trace(const trace::Trace& trace, const trace::TraceOptions& options, const sweep::Study& study,
-               const sweep::Row& row, double length_scale_m, const model::ShownLengths& shown,
+               const sweep::Row& row, double length_scale_m, const RubtraceArguments& arguments,
                response::motion::Workspace& workspace, batch::ResultFiles& files, std::string& summary) {
   const trace::TraceWindow window = trace::last_window(trace, options, row.order, workspace.spectrum);
   files["trajectory.csv"] = trace::trajectory_csv(trace);
   files["section.csv"] = trace::section_csv(trace);
   files["events.csv"] = trace::events_csv(trace);
   files["spectrum.csv"] = trace::spectrum_csv(window.spectrum, options.speed_hz);
-  summary += trace::trace_summary(trace, window, length_scale_m, shown);
+  summary += trace::trace_summary(trace, window, length_scale_m, arguments.shown);
   if (options.probes)
-    summary += look_by_probes(trace, *options.probes, options.speed_hz, study, shown, workspace, files);
+    summary += look_by_probes(trace, *options.probes, options.speed_hz, study, arguments, workspace, files);
 }
 
 /// Reduces the study to this cell.
@@ -187,8 +189,7 @@ int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
   if (scene::can_run(cell.start)) {
     trace = trace::trace_run(integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene,
                              study.solver, options);
-    add_trace(trace, options, study, row, cell.scene.length_scale_m, arguments.shown, workspace, files,
-              summary);
+    add_trace(trace, options, study, row, cell.scene.length_scale_m, arguments, workspace, files, summary);
   }
   working.reset();
   {

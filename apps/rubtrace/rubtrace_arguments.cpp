@@ -28,6 +28,7 @@ constexpr std::string_view examples =
     "/tmp/trace.png\n"
     "  rubtrace configs/rotor_kit.yaml --speed-hz 70 --whirl-ratio 0.6 --sample-s 1e-3 --noise-m 2e-6\n"
     "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
+    "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --probe stop0:acceleration:90\n"
     "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5 --figure /tmp/bode.png\n"
     "  rubtrace configs/minimal.yaml --run-up 20:60:1 --eccentricity-m 2e-4 --with-stops --figure "
     "/tmp/run_up.png\n"
@@ -123,7 +124,11 @@ po::options_description visible_options() {
       "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
       "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
       "they show")("noise-m", po::value<double>()->value_name("S")->default_value(0),
-                   "standard deviation of the sensors' noise; likewise");
+                   "standard deviation of the sensors' noise; likewise")(
+      "probe", po::value<std::vector<std::string>>()->value_name("PROBE"),
+      "of a trace, for each probe, in place of the machine's sensors: PLACE:QUANTITY:ANGLE[:NOISE] with "
+      "PLACE shaft, stopN (its casing) or shaft-stopN (relative to it); QUANTITY displacement, velocity or "
+      "acceleration; ANGLE in degrees from +x; NOISE a standard deviation in m, m/s or m/s2");
   add_threads(options, "threads of --design-check; 0: one per processor");
   add_figure(options,
              "draw a trace, a Campbell diagram, a run-up (Bode plot), one with stops or a design check as "
@@ -144,9 +149,9 @@ std::optional<long> count_of(const po::variables_map& given, const char* name) {
   return value;
 }
 
-/// Whether a trace includes readings of the sensors.
+/// Whether a trace includes readings of sensors or probes.
 bool asks_for_probes(const po::variables_map& given) {
-  return !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
+  return !given["sample-s"].defaulted() || !given["noise-m"].defaulted() || given.count("probe") != 0;
 }
 
 /// Reads the operating range into the arguments of an experiment that has one.
@@ -207,7 +212,10 @@ void refuse_options_of_others(const po::variables_map& given, const RubtraceArgu
   const bool experiment =
       arguments.campbell || arguments.run_up || arguments.design_check || arguments.rotor_report;
   if (!sampled && experiment && asks_for_probes(given))
-    throw UsageError("--sample-s and --noise-m belong to a trace, --free-response or --run-up without stops");
+    throw UsageError(
+        "--sample-s, --noise-m and --probe belong to a trace, --sample-s and --noise-m also to "
+        "--free-response "
+        "and --run-up without stops");
 }
 
 /// Reads the experiments without contact; returns false where a trace is wanted.
@@ -233,6 +241,14 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   arguments.sample_s = positive_number(given, "sample-s").value();
   arguments.noise_m = not_negative_number(given, "noise-m").value();
   refuse_options_of_others(given, arguments);
+  if (given.count("probe") != 0) {
+    if (sampled) throw UsageError("--probe belongs to a trace");
+    if (!given["noise-m"].defaulted())
+      throw UsageError(
+          "--noise-m is that of a machine's sensors; the noise of a --probe stands behind its angle");
+    for (const std::string& text : given["probe"].as<std::vector<std::string>>())
+      arguments.probe.push_back(probe_of(text));
+  }
   arguments.probes = !sampled && asks_for_probes(given);
   if (others == 0 && !arguments.rotor_report) return false;
   for (const std::string name : {"speed-hz", "speed-rpm", "whirl-ratio", "revolutions", "last-revolutions"}) {

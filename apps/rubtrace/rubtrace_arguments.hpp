@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "probe_argument.hpp"
 #include "rubsweep/core/model/length_text.hpp"
 #include "shared/action.hpp"
 #include "shared/figure.hpp"
@@ -42,9 +43,10 @@ struct RubtraceArguments : StudyArguments {
   double duration_s = 2;   ///< duration of the free response
   double sample_s = 1e-3;  ///< sampling time of the sensors
   double noise_m = 0;
-  bool probes = false;                ///< the trace includes readings of the sensors
-  std::optional<Figure> figure = {};  ///< figure of a trace, a Campbell diagram or a run-up with stops
-  model::ShownLengths shown = {};     ///< unit of lengths in the printed text
+  bool probes = false;                    ///< the trace includes readings of sensors or probes
+  std::vector<ProbeArgument> probe = {};  ///< probes in place of the machine's sensors
+  std::optional<Figure> figure = {};      ///< figure of a trace, a Campbell diagram or a run-up with stops
+  model::ShownLengths shown = {};         ///< unit of lengths in the printed text
   std::optional<long> revolutions = {};
   std::optional<long> last_revolutions = {};
 };

@@ -12,7 +12,7 @@ expect_header() {
 }
 
 # Command line.
-expect_help speed-hz speed-rpm whirl-ratio eccentricity-m unbalance-g-mm revolutions last-revolutions free-response run-up with-stops campbell design-check operating-hz operating-rpm kick-speeds stage require-pass threads figure duration-s sample-s noise-m length-unit peak-to-peak check explain print-config
+expect_help speed-hz speed-rpm whirl-ratio eccentricity-m unbalance-g-mm revolutions last-revolutions free-response run-up with-stops campbell design-check operating-hz operating-rpm kick-speeds stage require-pass threads figure duration-s sample-s noise-m probe length-unit peak-to-peak check explain print-config
 expect_usage_error 'a configuration file is needed' "${rub[@]}"
 expect_usage_error 'the shaft speed is needed' "$minimal" --whirl-ratio 0.6
 expect_usage_error 'the unbalance is needed, one way' "$minimal" --speed-hz 90
@@ -34,6 +34,9 @@ expect_usage_error '--output: allowed: the name of a directory' "$minimal" "${ru
 expect_usage_error "unrecognised option '--revolution' (did you mean '--revolutions'?)" "$minimal" "${rub[@]}" --revolution 3
 expect_usage_error 'too many positional options' "$minimal" "$minimal" "${rub[@]}"
 
+expect_usage_error "--probe: 'casing:velocity:0' is not understood, allowed: PLACE:QUANTITY:ANGLE_DEG[:NOISE]" "$minimal" "${rub[@]}" --probe casing:velocity:0
+expect_usage_error '--probe belongs to a trace' "$minimal" --free-response --probe shaft:velocity:0
+expect_usage_error "--noise-m is that of a machine's sensors; the noise of a --probe stands behind its angle" "$minimal" "${rub[@]}" --probe shaft:velocity:0 --noise-m 1e-6
 expect_usage_error "--length-unit: 'inch' is not allowed, allowed: mm, um, mil" "$minimal" "${rub[@]}" --length-unit inch
 expect_usage_error '--check, --explain and --print-config exclude each other' "$minimal" "${rub[@]}" --check --explain
 expect_usage_error 'the shaft speed is needed' "$minimal" --whirl-ratio 0.6 --check
@@ -102,6 +105,16 @@ expect_missing results
 )
 [[ $(<stderr) == 'rubtrace: out of memory' ]] || fail 'another message'
 rm -rf results
+
+# Probes of a casing; the columns say what they measure.
+expect_exit 2 "$minimal" "${rub[@]}" --probe stop1:velocity:0
+expect_contains stderr '--probe stop1:velocity:0: the machine has no stop 1, allowed: stop0 to stop0'
+expect_missing results
+expect_exit 0 "$minimal" "${rub[@]}" --sample-s 1e-3 --probe stop0:acceleration:90 --probe stop0:velocity:90 --probe shaft-stop0:displacement:90 --output probes
+[[ $(header_of probes/sensors.csv) == t_s,speed_hz,shaft_angle_rad,sensor_0_m_per_s2,sensor_1_m_per_s,sensor_2_m ]] ||
+  fail 'sensors.csv has another header'
+expect_contains stdout 'probes    no two of them see one place from two directions'
+rm -r probes
 
 # A rub that persists, over all the revolutions of the configuration.
 expect_exit 0 "$minimal" "${rub[@]}"

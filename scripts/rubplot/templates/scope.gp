@@ -55,7 +55,7 @@ do for [format in formats] {
   set size noratio
   set autoscale xy
 
-  set lmargin at screen 0.60
+  set lmargin at screen 0.61
   set rmargin at screen 0.97
   set tmargin at screen 0.86
   set bmargin at screen 0.56
@@ -65,7 +65,7 @@ do for [format in formats] {
   set xtics 2
   set xlabel "order"
   # Not as labels of the axes, which may come over the numbers at them.
-  set label 2 sprintf("amplitude (%s)", unit) at screen 0.51, 0.71 center rotate by 90
+  set label 2 sprintf("amplitude (%s)", unit) at screen 0.503, 0.71 center rotate by 90
   set key at screen 0.785, 0.93 center top horizontal maxrows 1 Left reverse samplen 2
   set yrange [1e-3 * largest_line:2 * largest_line]
   if (smallest_noise > 0) {
@@ -83,7 +83,7 @@ do for [format in formats] {
   set tmargin at screen 0.41
   set bmargin at screen 0.11
   set xlabel "time (s)"
-  set label 2 ARG7 at screen 0.51, 0.26 center rotate by 90
+  set label 2 ARG7 at screen 0.503, 0.26 center rotate by 90
   stats "speed" using 2 name "S" nooutput
   pad = S_max - S_min > 1e-6 * S_max ? 0.1 * (S_max - S_min) : 0.01 * S_max
   set yrange [S_min - pad:S_max + pad]

@@ -144,5 +144,20 @@ TEST(StaticLine, ASealHoldsNothingAndNameOrSoftnessTellIt) {
   EXPECT_EQ(bearings_of(kit), (std::vector<std::size_t>{1, 0, 2}));
 }
 
+/// A pedestal on a mount that is a thousandth as stiff as the bearings carries their load all the same.
+TEST(StaticLine, ASoftMountOfAHousingIsNoSeal) {
+  model::RotorKit kit = uniform_shaft();
+  kit.housings.push_back({.mass_kg = 3});
+  kit.supports[1].on_housing = 0;
+  model::Support mount = bearing_at(length_m);
+  mount.stiffness_x_n_per_m = mount.stiffness_y_n_per_m = 1e-3 * bearing_n_per_m;
+  mount.at_housing = 0;
+  kit.supports.push_back(mount);
+  const StaticLine line = static_line(kit, {}), held = static_line(uniform_shaft(), {});
+  EXPECT_EQ(bearings_of(kit), (std::vector<std::size_t>{0, 1}));
+  ASSERT_EQ(line.loads.size(), 2U);
+  for (std::size_t i : {0U, 1U}) EXPECT_NEAR(line.loads[i].load_n[1], held.loads[i].load_n[1], 1e-6);
+}
+
 }  // namespace
 }  // namespace rubsweep::design

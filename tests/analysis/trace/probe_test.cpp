@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -47,11 +48,11 @@ TEST(ProbeReader, ReadsTheQuietWhirlAtItsOwnInstants) {
   const Trace trace = run(rotor, 9, probes(sample_s), false);
   // Readings from t = 0 to the end of the last turn.
   const auto count = static_cast<Eigen::Index>(std::ceil(9 / rotor.speed_hz / sample_s));
-  ASSERT_EQ(trace.readings_m.rows(), count);
+  ASSERT_EQ(trace.readings.rows(), count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const double angle = 2 * std::numbers::pi * rotor.speed_hz * sample_s * static_cast<double>(k);
-    EXPECT_NEAR(trace.readings_m(k, 0), -whirl_m * std::sin(angle), 1e-15 + 1e-13 * whirl_m);
-    EXPECT_NEAR(trace.readings_m(k, 1), whirl_m * std::cos(angle), 1e-15 + 1e-13 * whirl_m);
+    EXPECT_NEAR(trace.readings(k, 0), -whirl_m * std::sin(angle), 1e-15 + 1e-13 * whirl_m);
+    EXPECT_NEAR(trace.readings(k, 1), whirl_m * std::cos(angle), 1e-15 + 1e-13 * whirl_m);
   }
 }
 
@@ -60,11 +61,11 @@ TEST(ProbeReader, AgreesWithTheTrajectoryThroughContacts) {
   const OneSideRotor rotor;
   const Trace trace = run(rotor, 12, probes(1 / (rotor.speed_hz * 25)));
   ASSERT_TRUE(trace.last_contact_revolution);
-  ASSERT_EQ(trace.readings_m.rows(), 300);
+  ASSERT_EQ(trace.readings.rows(), 300);
   for (Eigen::Index k = 0; k < 300; ++k) {
     const auto& z = trace.trajectory[static_cast<std::size_t>(4 * k)].state.displacement_m;
-    EXPECT_NEAR(trace.readings_m(k, 0), z.x(), 1e-12);
-    EXPECT_NEAR(trace.readings_m(k, 1), z.y(), 1e-12);
+    EXPECT_NEAR(trace.readings(k, 0), z.x(), 1e-12);
+    EXPECT_NEAR(trace.readings(k, 1), z.y(), 1e-12);
   }
 }
 
@@ -72,7 +73,7 @@ TEST(ProbeReader, AgreesWithTheTrajectoryThroughContacts) {
 TEST(ProbeReader, LeavesTheTraceAsItIs) {
   const OneSideRotor rotor;
   const Trace with = run(rotor, 5, probes(1e-3)), without = run(rotor, 5, std::nullopt);
-  EXPECT_EQ(without.readings_m.size(), 0);
+  EXPECT_EQ(without.readings.size(), 0);
   ASSERT_EQ(with.trajectory.size(), without.trajectory.size());
   for (std::size_t k = 0; k < with.trajectory.size(); ++k) {
     EXPECT_EQ(with.trajectory[k].time_s, without.trajectory[k].time_s);
@@ -84,14 +85,84 @@ TEST(ProbeReader, LeavesTheTraceAsItIs) {
 TEST(ProbeReader, NoiseHasItsSizeAndIsTheSameInEveryRun) {
   const OneSideRotor rotor;
   const double noise_m = 2e-6;
-  const Eigen::MatrixXd clean = run(rotor, 60, probes(1e-4), false).readings_m,
-                        noisy = run(rotor, 60, probes(1e-4, noise_m), false).readings_m,
-                        again = run(rotor, 60, probes(1e-4, noise_m), false).readings_m;
+  const Eigen::MatrixXd clean = run(rotor, 60, probes(1e-4), false).readings,
+                        noisy = run(rotor, 60, probes(1e-4, noise_m), false).readings,
+                        again = run(rotor, 60, probes(1e-4, noise_m), false).readings;
   EXPECT_EQ(noisy, again);
   const Eigen::MatrixXd noise = noisy - clean;
   const double deviation = noise.norm() / std::sqrt(static_cast<double>(noise.size()));
   EXPECT_NEAR(deviation, noise_m, 0.05 * noise_m);
   EXPECT_LT(std::abs(noise.mean()), 0.1 * noise_m);
+}
+
+/// Probes on the casing, coordinates 2 and 3: displacement, velocity and acceleration in one direction.
+Probes casing_probes(Eigen::Index coordinate, double sample_s) {
+  Probes all{.rows = Eigen::MatrixXd::Zero(3, 4), .angle_deg = {0, 0, 0}, .sample_s = sample_s};
+  all.rows.col(coordinate).setOnes();
+  all.derivative = {0, 1, 2};
+  return all;
+}
+
+/// A casing that swings across its wall touches nothing: x = a cos(w t), v = -w a sin(w t), -w^2 a cos(w t).
+TEST(ProbeReader, ReadsVelocityAndAccelerationOfACasingThatSwings) {
+  OneSideRotor rotor;
+  rotor.casing_damping_ratio = 0;
+  scene::Scene scene = test::cell_of(rotor).scene;
+  scene.pulses.clear();
+  const double a_m = 1e-4, w = std::sqrt(rotor.casing_stiffness_n_per_m / rotor.casing_mass_kg);
+  scene.displacement_m(2) = a_m;
+  integrate::exact::modes::ModeCache modes;
+  const integrate::run::SolverOptions solver;
+  const double sample_s = 3.3e-5;
+  const Trace trace = trace_run(integrate::start(scene, solver, modes).advance, scene, solver,
+                                {.speed_hz = rotor.speed_hz,
+                                 .revolutions = 5,
+                                 .samples_per_revolution = 128,
+                                 .window_revolutions = 5,
+                                 .trajectory_revolutions = {},
+                                 .probes = casing_probes(2, sample_s)});
+  ASSERT_GT(trace.readings.rows(), 1000);
+  for (Eigen::Index k = 0; k < trace.readings.rows(); ++k) {
+    const double t = sample_s * static_cast<double>(k);
+    EXPECT_NEAR(trace.readings(k, 0), a_m * std::cos(w * t), 1e-9 * a_m);
+    EXPECT_NEAR(trace.readings(k, 1), -w * a_m * std::sin(w * t), 1e-6 * w * a_m);
+    EXPECT_NEAR(trace.readings(k, 2), -w * w * a_m * std::cos(w * t), 1e-5 * w * w * a_m);
+  }
+}
+
+/// The equations of motion, written without library code, say what accelerates the casing in a rub.
+TEST(ProbeReader, AccelerationOfACasingIsItsForceOverItsMass) {
+  const OneSideRotor rotor;
+  const test::OneSideEquations<double> equations(rotor);
+  scene::Scene scene = test::cell_of(rotor).scene;
+  integrate::exact::modes::ModeCache modes;
+  const integrate::run::SolverOptions solver;
+  const int samples = 4096;
+  const Trace trace = trace_run(integrate::start(scene, solver, modes).advance, scene, solver,
+                                {.speed_hz = rotor.speed_hz,
+                                 .revolutions = 12,
+                                 .samples_per_revolution = samples,
+                                 .window_revolutions = 6,
+                                 .trajectory_revolutions = {},
+                                 .probes = casing_probes(3, 1 / (rotor.speed_hz * samples))});
+  ASSERT_TRUE(trace.last_contact_revolution);
+  double largest = 0;
+  std::vector<double> off;
+  for (std::size_t k = 0; k < trace.trajectory.size(); ++k) {
+    const auto& [t_s, state] = trace.trajectory[k];
+    const test::OneSideState<double> s{state.displacement_m.x(),          state.displacement_m.y(),
+                                       state.stops[0].casing_m.x(),       state.stops[0].casing_m.y(),
+                                       state.velocity_m_per_s.x(),        state.velocity_m_per_s.y(),
+                                       state.stops[0].casing_m_per_s.x(), state.stops[0].casing_m_per_s.y()};
+    test::OneSideState<double> rate{};
+    equations(s, rate, t_s);
+    largest = std::max(largest, std::abs(rate[7]));
+    off.push_back(std::abs(trace.readings(static_cast<Eigen::Index>(k), 2) - rate[7]));
+  }
+  EXPECT_GT(largest, 1000);
+  // The force jumps, or bends, within the interval of a change of contact mode.
+  std::ranges::sort(off);
+  EXPECT_LT(off[off.size() - 1 - trace.switches.size()], 2e-4 * largest);
 }
 
 using Complex = std::complex<double>;

@@ -85,5 +85,37 @@ TEST(OverallValues, TextAndTableSayTheZone) {
   EXPECT_EQ(overall_text(absolute, overall_values(absolute), {}).find("zone"), std::string::npos);
 }
 
+TEST(OverallValues, MissingReadingsLeaveNoRms) {
+  recording::Recording casing = measured(2, Place::casing);
+  casing.machine_group = MachineGroup::large_rigid;
+  casing.probes[0].values[3000] = NAN;
+  const auto values = overall_values(casing);
+  EXPECT_FALSE(values[0].velocity_rms_m_per_s);
+  EXPECT_FALSE(values[0].acceleration_rms_m_per_s2);
+  EXPECT_NEAR(values[0].peak_to_peak_m, 2e-4, 1e-12);
+  const std::string text = overall_text(casing, values, {});
+  EXPECT_NE(text.find("no rms where readings are missing"), std::string::npos) << text;
+  EXPECT_EQ(text.find("zone"), std::string::npos) << text;
+  EXPECT_EQ(overall_csv(casing, values).find("rms"), std::string::npos);
+}
+
+TEST(OverallValues, LimitsOfTheDescriptionComeFirst) {
+  recording::Recording casing = measured(1, Place::casing);
+  casing.machine_group = MachineGroup::large_rigid;
+  const auto values = overall_values(casing);
+  casing.zone_limits_mm_per_s = {10, 20, 30};
+  casing.zone_limits_um = {1, 2, 3};
+  // 22.2 mm/s rms: zone D of the standard.
+  EXPECT_NE(
+      overall_text(casing, values, {}).find("zone C of the limits given: A to 10, B to 20, C to 30 mm/s rms"),
+      std::string::npos);
+  EXPECT_NE(overall_csv(casing, values).find("\nzone_b_to_m_per_s,0.02,"), std::string::npos);
+  recording::Recording shaft = measured(0, Place::shaft);
+  shaft.zone_limits_um = {50, 150, 250};
+  EXPECT_NE(
+      overall_text(shaft, overall_values(shaft), {}).find("zone C of the limits given: A to 50, B to 150"),
+      std::string::npos);
+}
+
 }  // namespace
 }  // namespace rubsweep::apps

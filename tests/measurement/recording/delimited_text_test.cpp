@@ -116,6 +116,12 @@ TEST(DelimitedText, NamesMaySayTheirUnits) {
   ASSERT_EQ(table.channels.size(), std::size(units));
   for (std::size_t i = 0; i < std::size(units); ++i) EXPECT_EQ(table.channels[i].unit, units[i]) << i;
   EXPECT_EQ(table.channels[1].name, "X_um");
+  // Not "s", and not "s2".
+  const auto rates = read_delimited_text(
+      "t_s,sensor_0_m_per_s2,v_mm_per_s,in_per_s,runs_per_day\n0,1,2,3,4\n1,2,3,4,5\n", "f");
+  const char* units_of_rates[] = {"s", "m/s2", "mm/s", "in/s", ""};
+  for (std::size_t i = 0; i < std::size(units_of_rates); ++i)
+    EXPECT_EQ(rates.channels[i].unit, units_of_rates[i]) << i;
 }
 
 TEST(DelimitedText, OscilloscopesAreRead) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "rubsweep/core/error.hpp"
 
 namespace rubsweep::config::recording {
@@ -65,11 +67,14 @@ TEST(InstrumentRead, EverythingThatThereIs) {
   EXPECT_FALSE(recorder.probes[0].rest);
   const auto casing = read_instrument_text(
       "probes: [{column: A, angle_deg: 0, gain_mv_per_g: 100, on: casing}]\nkeyphasor: {column: K}\n"
-      "lowest_order: 0.4\nmachine_group: medium_rigid\n",
+      "lowest_order: 0.4\nmachine_group: medium_rigid\nzone_limits_mm_per_s: [2, 4, 8]\nzone_limits_um: [50, "
+      "90, 120]\n",
       "i.yaml");
   EXPECT_EQ(casing.probes[0].gain_mv_per_g, 100);
   EXPECT_EQ(casing.probes[0].on, rubsweep::recording::Place::casing);
   EXPECT_EQ(casing.lowest_order, 0.4);
+  EXPECT_EQ(casing.zone_limits_mm_per_s, (std::array{2.0, 4.0, 8.0}));
+  EXPECT_EQ(casing.zone_limits_um, (std::array{50.0, 90.0, 120.0}));
   const auto swept = read_instrument_text(probe + "sweep: {from_hz: 12, to_hz: 58}\n", "i.yaml");
   ASSERT_TRUE(swept.sweep);
   EXPECT_EQ(swept.sweep->to_hz, 58);
@@ -102,6 +107,12 @@ TEST(InstrumentRead, WrongOnesAreNamedWithTheirPlace) {
             std::string::npos);
   EXPECT_NE(fault(clock + probe + "sweep: {from_hz: 1, to_hz: 5}\n").find("sweep"), std::string::npos);
   EXPECT_NE(fault(clock + probe + "lowest_order: 0\n").find("lowest_order"), std::string::npos);
+  for (const char* limits : {"[2, 2, 4]", "[0, 2, 4]", "[4, 2, 1]"})
+    EXPECT_NE(
+        fault(clock + probe + "zone_limits_um: " + limits + "\n").find("zone_limits_um: holds no limits of"),
+        std::string::npos);
+  EXPECT_NE(fault(clock + probe + "zone_limits_mm_per_s: [2, 4]\n").find("a list of 3 numbers"),
+            std::string::npos);
   EXPECT_NE(fault(clock + probe + "  - {column: Y, angle_deg: 230}\n").find("look along one line"),
             std::string::npos);
   EXPECT_EQ(fault(probe + "speed_hz: 70\n"), "none");  // a WAV file contains its sampling rate

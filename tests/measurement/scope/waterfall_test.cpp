@@ -71,6 +71,25 @@ TEST(Waterfall, Tables) {
   EXPECT_EQ(std::ranges::count(waterfall_csv(recording), '\n'), 1 + 11 * 256);
 }
 
+TEST(Waterfall, ABodePlotWithoutAMarkHasNoPhases) {
+  auto recording = motion(50, 4);
+  recording.phased = false;
+  std::istringstream lines(bode_csv(recording, {1}));
+  std::string line;
+  std::getline(lines, line);
+  int rows = 0;
+  for (; std::getline(lines, line); ++rows) {
+    double t_s = 0, speed_hz = 0, order = 0, x_m = 0, y_m = 0;
+    char end = 0;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,,%lf%c", &t_s, &speed_hz, &order, &x_m, &y_m, &end),
+              6)
+        << line;
+    EXPECT_EQ(end, ',');
+    EXPECT_NEAR(x_m, 3e-5, 1e-9);
+  }
+  EXPECT_EQ(rows, 99);
+}
+
 /// Largest amplitude in the waterfall at orders farther than `aside` from all `orders`, and the largest
 /// amplitude overall.
 std::pair<double, double> beside_and_at(const std::string& waterfall, std::initializer_list<double> orders,

@@ -83,6 +83,7 @@ ProbeReader::ProbeReader(const scene::Scene& scene, double speed_hz, Probes prob
     : probes_(std::move(probes)),
       length_m_(scene.length_scale_m),
       speed_hz_(speed_hz),
+      speed_rad_per_s_(scene.speed_rad_per_s),
       states_(2 * static_cast<std::size_t>(scene.structure.coordinates())) {}
 
 void ProbeReader::add(const integrate::run::TurnReport& turn) {
@@ -91,7 +92,7 @@ void ProbeReader::add(const integrate::run::TurnReport& turn) {
         static_cast<double>(count_) * probes_.sample_s * speed_hz_ - static_cast<double>(turn_);
     if (turns >= 1) break;
     for (Eigen::Index probe = 0; probe < probes_.rows.rows(); ++probe)
-      readings_m_.push_back(reading(turn, std::max(0.0, turns), probe));
+      readings_.push_back(reading(turn, std::max(0.0, turns), probe));
   }
   ++turn_;
 }
@@ -109,23 +110,32 @@ double ProbeReader::reading(const integrate::run::TurnReport& turn, double turns
   const auto row = probes_.rows.row(probe);
   const double a = row.dot(Part(from, n)), a_rate = row.dot(Part(from + n, n)), b = row.dot(Part(to, n)),
                b_rate = row.dot(Part(to + n, n));
+  const int derivative = probes_.derivative.empty() ? 0 : probes_.derivative[static_cast<std::size_t>(probe)];
+  if (derivative == 2)
+    return length_m_ * speed_rad_per_s_ * speed_rad_per_s_ / h *
+           (6 * (y - x) * (b - a) / h + (2 * x - 4 * y) * a_rate + (4 * x - 2 * y) * b_rate);
+  if (derivative == 1)
+    return length_m_ * speed_rad_per_s_ *
+           (6 * x * y * (b - a) / h + y * (y - 2 * x) * a_rate + x * (x - 2 * y) * b_rate);
   return length_m_ *
          (y * y * ((1 + 2 * x) * a + x * h * a_rate) + x * x * ((1 + 2 * y) * b - y * h * b_rate));
 }
 
-Eigen::MatrixXd ProbeReader::readings_m() const {
+Eigen::MatrixXd ProbeReader::readings() const {
   const Eigen::Index probes = probes_.rows.rows();
-  const auto count = static_cast<Eigen::Index>(readings_m_.size()) / std::max<Eigen::Index>(1, probes);
+  const auto count = static_cast<Eigen::Index>(readings_.size()) / std::max<Eigen::Index>(1, probes);
   Eigen::MatrixXd readings(count, probes);
   for (Eigen::Index k = 0; k < count; ++k) {
     for (Eigen::Index i = 0; i < probes; ++i)
-      readings(k, i) = readings_m_[static_cast<std::size_t>(k * probes + i)];
+      readings(k, i) = readings_[static_cast<std::size_t>(k * probes + i)];
   }
-  if (probes_.noise_m == 0) return readings;
   std::mt19937_64 random(noise_seed);
-  std::normal_distribution<double> noise(0, probes_.noise_m);
+  std::normal_distribution<double> noise;
   for (Eigen::Index i = 0; i < probes; ++i) {
-    for (double& value : readings.col(i)) value += noise(random);
+    const double deviation =
+        probes_.noise.empty() ? probes_.noise_m : probes_.noise[static_cast<std::size_t>(i)];
+    if (deviation == 0) continue;
+    for (double& value : readings.col(i)) value += deviation * noise(random);
   }
   return readings;
 }

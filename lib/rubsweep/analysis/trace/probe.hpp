@@ -13,12 +13,15 @@
 
 namespace rubsweep::trace {
 
-/// Proximity probes that sample a run at the times of their own clock, as an instrument does.
+/// Probes that sample a run at the times of their own clock, as an instrument does.
 struct Probes {
-  Eigen::MatrixXd rows;           ///< probes x n: reading in metres = row . q
+  Eigen::MatrixXd rows;           ///< probes x n: displacement in metres = row . q
   std::vector<double> angle_deg;  ///< direction of each probe, from +x towards +y
   double sample_s = 1e-3;         ///< sampling interval, > 0
   double noise_m = 0;  ///< standard deviation of white noise on every reading; the same numbers in every run
+  /// Number of derivatives that each probe takes: 0 reads m, 1 m/s, 2 m/s2; empty: displacements.
+  std::vector<int> derivative{};
+  std::vector<double> noise{};  ///< standard deviation of each probe in its own unit; empty: noise_m
 };
 
 /// Largest number of samples per turn between which readings are interpolated.
@@ -29,7 +32,9 @@ inline constexpr int probe_samples_per_revolution = 4096;
 /// order p by (2 pi p / 4096)^4 / 384 of its amplitude: 1e-7 at order 50.
 int probe_refinement(int samples_per_revolution);
 
-/// Takes readings at t = 0, sample_s, ... from a run with finely spaced samples.
+/// Takes readings at t = 0, sample_s, ... from a run with finely spaced samples. Velocity and acceleration
+/// are those of the cubic between two samples: an acceleration misses a vibration of order p by (2 pi p /
+/// 4096)^2 / 12 of its amplitude, and the jump of a velocity has a finite one. There is no filter.
 class ProbeReader {
  public:
   ProbeReader(const scene::Scene& scene, double speed_hz, Probes probes);
@@ -37,17 +42,17 @@ class ProbeReader {
   /// Takes the readings within the next whole turn, which must have samples and a section.
   void add(const integrate::run::TurnReport& turn);
 
-  /// Readings of all turns so far with noise added, readings x probes, in metres.
-  Eigen::MatrixXd readings_m() const;
+  /// Readings of all turns so far with noise added, readings x probes, in m, m/s or m/s2.
+  Eigen::MatrixXd readings() const;
 
  private:
   double reading(const integrate::run::TurnReport& turn, double turns, Eigen::Index probe) const;
 
   Probes probes_;
-  double length_m_, speed_hz_;
+  double length_m_, speed_hz_, speed_rad_per_s_;
   std::size_t states_;
   long turn_ = 0, count_ = 0;
-  std::vector<double> readings_m_;  ///< readings of all probes at t = 0, then at the next time, ...
+  std::vector<double> readings_;  ///< readings of all probes at t = 0, then at the next time, ...
 };
 
 /// Numbers of two probes that measure the motion at one place in two directions.

@@ -78,7 +78,7 @@ class Recorder {
   int samples_wanted() const { return refinement_ * options_.samples_per_revolution; }
 
   void finish() {
-    if (probes_) trace_.readings_m = probes_->readings_m();
+    if (probes_) trace_.readings = probes_->readings();
     // Samples of a turn that failed are left out, as they make no whole revolution.
     const long whole = std::min<long>(trace_.revolutions, options_.window_revolutions);
     trace_.displacement_m.resize(std::min(trace_.displacement_m.size(), samples_of(whole)));

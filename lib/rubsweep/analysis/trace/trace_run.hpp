@@ -54,7 +54,7 @@ struct Trace {
   std::vector<TracedSwitch> switches;   ///< empty where the law is smoothed, as no changes are located then
   std::vector<response::motion::ContactFacts> turns;  ///< facts of every whole revolution
   std::vector<std::complex<double>> displacement_m;   ///< Samples of the last window, or of a shorter run.
-  Eigen::MatrixXd readings_m;                         ///< readings x probes in m, over all whole turns
+  Eigen::MatrixXd readings;                           ///< readings x probes, over all whole turns
   std::optional<long> last_contact_revolution;        ///< counted from 1; empty: no wall was touched
   integrate::run::Effort effort;
 };

@@ -34,8 +34,13 @@ void count_from_first(std::vector<double>& stamps_s) {
 }
 
 /// Unit at the end of a name: any unit behind a comma or slash, usual units also behind a blank or
-/// underscore.
+/// underscore, and x_m_per_s2 as m/s2.
 std::string unit_in_name(std::string_view name) {
+  if (const std::size_t per = name.rfind("_per_"); per != std::string_view::npos && per > 0) {
+    const std::size_t begin = name.rfind('_', per - 1) + 1;  // 0 without an underscore
+    const std::string unit = fmt::format("{}/{}", name.substr(begin, per - begin), name.substr(per + 5));
+    if (table::is_unit(unit)) return unit;
+  }
   if (std::string unit = unit_in_ending(name); !unit.empty()) return unit;
   constexpr std::array<std::string_view, 19> usual{
       "s",   "ms",   "us",   "sec",  "mm",    "um",    "mil",   "mv",      "hz",   "rpm",

@@ -103,6 +103,14 @@ RunOut read_run_out(const yaml::Value& value) {
   return run_out;
 }
 
+void read_zones(yaml::Section& section, std::string_view name, std::optional<std::array<double, 3>>& limits) {
+  const auto value = section.find(name);
+  if (!value || !yaml::read_numbers(*value, limits.emplace())) return;
+  const auto& [first, second, third] = *limits;
+  if (!(first > 0 && first < second && second < third))
+    yaml::refuse(*value, "holds no limits of the zones A, B and C", "three rising numbers > 0");
+}
+
 Sweep read_sweep(const yaml::Value& value) {
   yaml::Section section(value);
   Sweep sweep{model::required, model::required};
@@ -126,6 +134,8 @@ Instrument read_root(const yaml::Value& root) {
   section.field("lowest_order", instrument.lowest_order, model::positive);
   if (section.find("machine_group"))
     section.field("machine_group", instrument.machine_group.emplace(), groups);
+  read_zones(section, "zone_limits_mm_per_s", instrument.zone_limits_mm_per_s);
+  read_zones(section, "zone_limits_um", instrument.zone_limits_um);
   if (const auto value = section.find("keyphasor")) instrument.keyphasor = read_keyphasor(*value);
   if (const auto value = section.find("speed")) instrument.speed = read_speed(*value);
   if (const auto value = section.find("sweep")) instrument.sweep = read_sweep(*value);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -75,6 +76,9 @@ struct Instrument {
   std::optional<RunOut> run_out{};  ///< run-out with a keyphasor
   double lowest_order = 0.125;      ///< > 0: lowest order that is kept where readings are integrated
   std::optional<MachineGroup> machine_group{};
+  /// Limits between zones A and B, B and C, C and D, rising, in place of those of the standards: velocity rms
+  /// of a casing, displacement of a shaft from peak to peak.
+  std::optional<std::array<double, 3>> zone_limits_mm_per_s{}, zone_limits_um{};
 };
 
 }  // namespace rubsweep::recording
@@ -85,7 +89,8 @@ namespace rubsweep::config::recording {
 /// perhaps a gain, unit, on, range_v, rest), keyphasor (column, mark, threshold, hysteresis,
 /// pulses_per_turn), speed_hz or speed (a column, or column and unit), time (the name of a column) or
 /// sampling_rate_hz or none of both; from_s, to_s; run_out (from_s, to_s, subtract); lowest_order,
-/// machine_group. `name` stands for the file in messages. Throws ConfigError with every problem.
+/// machine_group, zone_limits_mm_per_s, zone_limits_um. `name` stands for the file in messages. Throws
+/// ConfigError with every problem.
 rubsweep::recording::Instrument read_instrument_text(std::string_view text, const std::string& name);
 
 }  // namespace rubsweep::config::recording

@@ -162,6 +162,8 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
                       .phased = !followed,
                       .from_rest = instrument.probes.front().rest.has_value(),
                       .machine_group = instrument.machine_group,
+                      .zone_limits_mm_per_s = instrument.zone_limits_mm_per_s,
+                      .zone_limits_um = instrument.zone_limits_um,
                       .findings = all.notes};
   recording.findings.insert(recording.findings.end(), jumps.begin(), jumps.end());
   Readings readings = readings_of(channels, instrument, name, recording.findings);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <complex>
 #include <optional>
 #include <string>
@@ -37,6 +38,7 @@ struct Recording {
   Integration integration{};
   Place place = Place::shaft;
   std::optional<MachineGroup> machine_group{};
+  std::optional<std::array<double, 3>> zone_limits_mm_per_s{}, zone_limits_um{};
   std::vector<ProbeSignal> probes{};    ///< readings over the evaluated turns
   std::vector<std::string> findings{};  ///< faults of the data: sentences without a full stop
 
