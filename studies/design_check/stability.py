@@ -29,8 +29,8 @@ def roots_of(matrices):
     slow[n:, :n] = np.eye(n)
     values, vectors = np.linalg.eig(slow)
     good = abs(values) > 1e-12 * abs(values).max()
-    rates = 1 / values[good]
-    found = [(rate, vectors[:n, good][:, i]) for i, rate in enumerate(rates) if rate.imag > 1e-7 * abs(rate)]
+    rates, shapes = 1 / values[good], vectors[:n, good].T
+    found = [(rate, shape) for rate, shape in zip(rates, shapes) if rate.imag > 1e-7 * abs(rate)]
     return sorted(found, key=lambda one: one[0].imag)
 
 

@@ -12,6 +12,10 @@ class Errors(unittest.TestCase):
         self.assertEqual(problem_of("--set stops.0.clearance_m=x: stops.0.clearance_m: not a number, allowed: a number > 0"),
                          Problem("not a number", key="stops.0.clearance_m", allowed="a number > 0"))
 
+    def test_an_element_of_another_program_has_blanks_in_its_key(self):
+        self.assertEqual(problem_of("pump.toml:47:5: ShaftElement_Shaft Element 2.odl: -0.08 is out of range, allowed: a number > 0"),
+                         Problem("-0.08 is out of range", "pump.toml", 47, 5, "ShaftElement_Shaft Element 2.odl", "a number > 0"))
+
     def test_any_other_message_is_text(self):
         self.assertEqual(problem_of("no such thing"), Problem("no such thing"))
 

@@ -25,12 +25,17 @@ class Labels(unittest.TestCase):
         self.assertIn("'1,2' at first 100, first 30.5", names[0])
         self.assertIn("'3' at first 100, first 90", names[1])
 
+    def test_modes_that_end_at_other_speeds_have_their_own_names_above_the_axis(self):
+        rows = [point(1, 0, 2), point(1, 100, 1), point(2, 0, 2), point(2, 60, 0.5), point(3, 0, 1), point(3, 100, 0)]
+        self.assertEqual([label.split(" left")[0] for label in campbell.name_lines(rows, 100)],
+                         ["set label '2' at first 60, first 3", "set label '3,1' at first 100, first 3"])
+
     def test_close_speeds_get_one_label_and_near_ones_stand_on_different_sides(self):
         rows = [{"speed_hz": speed} for speed in (5, 50, 50.1, 56, 90)]
         labels = list(campbell.label_lines(rows, 100))
         self.assertEqual(len(labels), 4)
         self.assertIn("'5' at first 5, first 5 left offset 0.3, 0.9", labels[0])
-        self.assertIn("'50.05'", labels[1])
+        self.assertIn("'50–50.1' at first 50.0", labels[1], "no speed that is none of the two")
         self.assertIn("left offset 0.8, -0.8", labels[1])
         self.assertIn("right offset -0.8, 0.8", labels[2])
         self.assertIn("right offset -0.8, 0.8", labels[3])

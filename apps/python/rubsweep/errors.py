@@ -4,8 +4,10 @@ import re
 from dataclasses import dataclass
 from typing import List, Optional
 
+# Elements of a file of ROSS have a class, an underscore and a tag, in which blanks may stand.
 PLACE = re.compile(r"(?:(?P<file>.+?):(?P<line>\d+):(?P<column>\d+): )?(?:--set [^:]+: )?"
-                   r"(?:(?P<key>[A-Za-z_][\w.]*): )?(?P<text>.*?)(?:, allowed: (?P<allowed>.*))?", re.DOTALL)
+                   r"(?:(?P<key>[A-Za-z_][\w.]*|(?:rotor\.file\.)?[A-Z][A-Za-z0-9]*_[^:]+): )?"
+                   r"(?P<text>.*?)(?:, allowed: (?P<allowed>.*))?", re.DOTALL)
 
 
 @dataclass(frozen=True)

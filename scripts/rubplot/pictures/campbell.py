@@ -82,17 +82,19 @@ def curve_lines(rows, per_hz=1):
 
 
 def name_lines(rows, top, per_hz=1):
-    """The number of each mode at its end, as gnuplot's labels; modes that end at one height share one."""
+    """The number of each mode at its end, as gnuplot's labels; modes that end at one place share one. None stands on the
+    axis of speeds."""
     ends = [list(mode)[-1] for _, mode in groupby(rows, key=lambda row: row["mode"])]
-    shown = sorted((row for row in ends if row["frequency_hz"] < top), key=lambda row: row["frequency_hz"])
-    for cluster in _clusters(shown, "frequency_hz", SAME_HEIGHT * top):
-        place = sum(row["frequency_hz"] for row in cluster) / len(cluster)
-        text = ",".join("%d" % row["mode"] for row in cluster)
-        yield _label(per_hz * cluster[0]["speed_hz"], place, text, "left offset 0.6, 0")
+    for speed in sorted({row["speed_hz"] for row in ends}):
+        shown = sorted((row for row in ends if row["speed_hz"] == speed and row["frequency_hz"] < top), key=lambda row: row["frequency_hz"])
+        for cluster in _clusters(shown, "frequency_hz", SAME_HEIGHT * top):
+            place = max(sum(row["frequency_hz"] for row in cluster) / len(cluster), SAME_HEIGHT * top)
+            text = ",".join("%d" % row["mode"] for row in cluster)
+            yield _label(per_hz * speed, place, text, "left offset 0.6, 0")
 
 
 def label_lines(rows, fastest, per_hz=1, slowest=0, top=None, curves=()):
-    """Critical speeds as gnuplot's labels; speeds that lie together get one, at their middle. It stands above to the left
+    """Critical speeds as gnuplot's labels; speeds that lie together get one, from the first to the last. It stands above to the left
     of the line, below to the right where the next one is close, above to the right beside the axis; where another label
     has that place, or a curve goes through it, on the other side, or further above or below."""
     width, height = fastest - slowest or 1, top or 1.5 * fastest or 1
@@ -100,8 +102,8 @@ def label_lines(rows, fastest, per_hz=1, slowest=0, top=None, curves=()):
     middles = [sum(row["speed_hz"] for row in cluster) / len(cluster) for cluster in clusters]
     taken = []
     drawn = [((speed - slowest) / width, frequency / height) for speed, frequency in _points_between(curves)]
-    for middle, following in zip(middles, [*middles[1:], float("inf")]):
-        text = "%.4g" % (per_hz * middle)
+    for cluster, middle, following in zip(clusters, middles, [*middles[1:], float("inf")]):
+        text = "–".join(dict.fromkeys("%.4g" % (per_hz * one["speed_hz"]) for one in (cluster[0], cluster[-1])))
         above, below = [("right", -0.8, 0.8 + step) for step in STEPS], [("left", 0.8, -0.8 - step) for step in STEPS]
         first, second = above, below
         if middle - slowest < BESIDE_AXIS * width:

@@ -12,6 +12,7 @@ do for [format in formats] {
   reset
   set encoding utf8
   set minussign
+  set style textbox opaque noborder fillcolor rgb "white" margins 0.3, 0.1
   set multiplot
   set label 1000 ARG1 at screen 0.5, 0.967 center font ":Bold,24" noenhanced
   set label 1003 ARG2 at screen 0.995, 0.018 right font ",13" noenhanced
@@ -32,7 +33,7 @@ do for [format in formats] {
   set arrow 1 from graph 0, first 0 to graph 1, first 0 nohead linewidth 1.2 linecolor rgb "#AA3311"
   set arrow 2 from graph 0, first 0.1 to graph 1, first 0.1 nohead dashtype 3 linewidth 1 linecolor rgb "#777777"
   if (!any_coupling) {
-    set label 1005 ARG5 at screen 0.075, 0.018 left font ",13" noenhanced
+    set label 1005 ARG5 at screen 0.93, 0.887 right font ",13" noenhanced
   }
   plot for [k = 1:(any_mixed ? 3 : 2)] "modes" using 1:($3 == k - 1 ? $2 : NaN) with lines linecolor rgb colour[k] dashtype dash[k] \
       linewidth 2.2 title direction[k], \
@@ -50,7 +51,7 @@ do for [format in formats] {
     set label 1004 "logarithmic decrement" at screen 0.585, 0.47 center rotate by 90
     set label 1005 ARG5 at graph 0.5, graph 1.06 center font ",16" noenhanced
     if (zero >= 0) {
-      set label 1006 sprintf("%.4g", zero) at first zero, first 0 left offset 0.8, 1 point pointtype 7 pointsize 1.3 linecolor rgb "#AA3311"
+      set label 1006 sprintf("%.4g", zero) at first zero, first 0 left offset 0.8, 1 boxed front point pointtype 7 pointsize 1.3 linecolor rgb "#AA3311"
     }
     unset key
     plot "coupling" using 1:2 with lines linewidth 2.5 linecolor rgb colour[1] notitle
