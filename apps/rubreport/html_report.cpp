@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "explain/explain_study.hpp"
 #include "rubreport/findings.hpp"
 #include "rubreport/page.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
-#include "rubsweep/maps/report/explain_study.hpp"
 
 namespace rubsweep::apps {
 
@@ -87,7 +87,7 @@ std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
   PageContents contents{
       .version = options.version,
       .findings = findings(map, grid),
-      .model = report::explain_study(study),
+      .model = explain_study(study),
       .configuration = options.configuration,
       .plane = plane_of(grid),
       .written = {written_axis(grid, plane_of(grid)[0].name), written_axis(grid, plane_of(grid)[1].name)},

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "explain/explain_study.hpp"
 #include "map_outcome.hpp"
 #include "map_status.hpp"
 #include "merge.hpp"
@@ -14,7 +15,6 @@
 #include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep/maps/map/written_file.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
-#include "rubsweep/maps/report/explain_study.hpp"
 #include "rubsweep_arguments.hpp"
 #include "shared/child_process.hpp"
 #include "shared/exit_code.hpp"
@@ -136,7 +136,7 @@ int perform(const RubsweepArguments& arguments) {
   const int threads = batch::thread_count(arguments.threads);
   StudyActions actions = study_actions("rubsweep", arguments, config, [&] { return run(arguments, config); });
   actions.explanation = [&] {
-    return report::explain_study(study) +
+    return explain_study(study) +
            report::describe_footprint(study, scene::prepare_machine(study.machine), {threads}) + "\n";
   };
   return act(arguments, actions);

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "design_check.hpp"
+#include "explain/explain_machine.hpp"
+#include "explain/explain_rotor.hpp"
 #include "rotor_report.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
-#include "rubsweep/maps/report/explain_machine.hpp"
-#include "rubsweep/maps/report/explain_rotor.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
 #include "shared/premises.hpp"
 
@@ -69,12 +69,11 @@ AskedExperiment experiment_of(const RubtraceArguments& arguments, const sweep::S
 std::string explanation(const AskedExperiment& asked, const sweep::Study& study) {
   const double slowest_hz = *std::ranges::min_element(study.grid.speed_hz);
   std::string text =
-      fmt::format("experiment: {}\n{}", asked.text, report::explain_machine(study.machine, slowest_hz));
+      fmt::format("experiment: {}\n{}", asked.text, explain_machine(study.machine, slowest_hz));
   if (asked.speeds_hz.empty()) return text;
   sweep::Study turning = study;
   turning.grid.speed_hz = asked.speeds_hz;
-  return text + report::explain_tables(study.machine, asked.speeds_hz) +
-         report::describe_sparse_tables(study.machine) +
+  return text + explain_tables(study.machine, asked.speeds_hz) + describe_sparse_tables(study.machine) +
          sweep::where_rotor_is_unstable(turning, scene::prepare_machine(study.machine));
 }
 

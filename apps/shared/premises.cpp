@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "rubsweep/maps/report/explain_rotor.hpp"
+#include "explain/explain_rotor.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
 #include "shared/program.hpp"
 
@@ -10,7 +10,7 @@ namespace rubsweep::apps {
 
 void warn_of_premises(std::string_view program, const sweep::Study& study,
                       const scene::PreparedMachine& prepared) {
-  const std::string sparse = report::describe_sparse_tables(study.machine);
+  const std::string sparse = describe_sparse_tables(study.machine);
   for (std::size_t begin = 0; begin < sparse.size();) {
     const std::size_t end = sparse.find('\n', begin) + 1;
     say(fmt::format("{}: warning: {}", program, sparse.substr(begin, end - begin)));

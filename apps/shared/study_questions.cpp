@@ -4,10 +4,10 @@
 
 #include <utility>
 
+#include "explain/explain_study.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
-#include "rubsweep/maps/report/explain_study.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
 #include "shared/premises.hpp"
@@ -41,7 +41,7 @@ StudyActions study_actions(std::string_view program, const StudyArguments& argum
                 ask_about_weak_kick(program, arguments, config.study, prepared);
                 return fmt::format("{} cells", sweep::cell_count(config.study.grid));
               },
-          .explanation = [&] { return report::explain_study(config.study); },
+          .explanation = [&] { return explain_study(config.study); },
           .configuration = [&] { return config::print_config(config); },
           .run = std::move(run)};
 }

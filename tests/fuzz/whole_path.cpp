@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string_view>
 
+#include "explain/explain_study.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
-#include "rubsweep/maps/report/explain_study.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/report/map_summary.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
@@ -43,7 +43,7 @@ Ending check_whole_path(const std::string& text) {
   }
   try {
     const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
-    require(!report::explain_study(study).empty(), "nothing is explained");
+    require(!apps::explain_study(study).empty(), "nothing is explained");
     response::motion::Workspace workspace;
     check_row(sweep::evaluate_cell(study, prepared, 0, workspace));
   } catch (const ConfigError& error) {

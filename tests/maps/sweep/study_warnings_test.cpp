@@ -7,9 +7,9 @@
 #include <variant>
 
 #include "core/scene/kit_machine.hpp"
+#include "explain/explain_study.hpp"
 #include "maps/sweep/one_side_study.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/report/explain_study.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::sweep {
@@ -27,7 +27,7 @@ TEST(StudyWarningsUntouchedWalls, WithoutAKickNothingTouches) {
   Study study = one_side_study({60, 75}, {0.2, 0.4});
   study.machine.kick.reset();
   EXPECT_TRUE(why(study).starts_with("no kick: "));
-  EXPECT_NE(report::explain_study(study).find(why(study)), std::string::npos);
+  EXPECT_NE(apps::explain_study(study).find(why(study)), std::string::npos);
   // With a given start there is no warning, not even about a missing kick.
   study.machine.start = {.rotor = {.y_m = 1e-5}};
   EXPECT_EQ(why(study), "");
@@ -185,7 +185,7 @@ TEST(StudyWarningsUnstableRotor, CrossCoupledBearingsAreNamedFromTheirLimitOn) {
   const Study study = bouncing_shaft(1.02 * limit_n_per_m());
   EXPECT_TRUE(where(study).starts_with("unstable rotor: at 2 of 2 speeds looked at, from 20 to 50 Hz"))
       << where(study);
-  EXPECT_NE(report::explain_study(study).find(where(study)), std::string::npos);
+  EXPECT_NE(apps::explain_study(study).find(where(study)), std::string::npos);
 }
 
 /// A reduced rotor without its seal, which destabilises a bending mode according to the full matrices.
@@ -241,7 +241,7 @@ TEST(StudyWarningsUnstableRotor, FollowsTheTableOfASupport) {
   study.grid.speed_hz = {20, 30, 40, 50};
   EXPECT_TRUE(where(study).starts_with("unstable rotor: at 2 of 4 speeds looked at, from 40 to 50 Hz"))
       << where(study);
-  EXPECT_NE(report::explain_study(study).find(where(study)), std::string::npos);
+  EXPECT_NE(apps::explain_study(study).find(where(study)), std::string::npos);
   response::motion::Workspace workspace;
   for (std::size_t cell = 0; cell < 4; ++cell) {
     const bool said = evaluate_cell(study, cell, workspace).status.find(unstable_rotor) != std::string::npos;

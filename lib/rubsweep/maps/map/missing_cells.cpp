@@ -10,7 +10,6 @@
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/map/refined_cells.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
-#include "rubsweep/maps/report/explain_rotor.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/sweep/run_cells.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
@@ -139,7 +138,7 @@ bool MissingCells::run() {
   const std::size_t pilots_wanted = batch::pilot_count(cells.size(), static_cast<std::size_t>(threads));
   // Only where a person reads the output.
   if (say_progress(report::describe_footprint(study_, prepared(), {threads})) && pilots_wanted > 0)
-    run_pilots(cells, pilots_wanted, report::describe_many_modes(prepared()));
+    run_pilots(cells, pilots_wanted, sweep::describe_many_modes(prepared()));
   run_cells(cells);
   const std::lock_guard lock(mutex_);
   return all_finished();

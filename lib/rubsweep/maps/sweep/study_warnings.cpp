@@ -239,4 +239,18 @@ std::string where_rotor_is_unstable(const Study& study, const scene::PreparedMac
       found.growth_per_s, model::speed_text(found.growth_hz), unstable_rotor);
 }
 
+std::string describe_many_modes(const scene::PreparedMachine& prepared) {
+  // With more modes every step of the exact solver becomes slower.
+  constexpr std::size_t many = 12;
+  const model::RotorKit* kit = model::kit_of(prepared.machine);
+  if (kit == nullptr || !prepared.reduction || !prepared.reduction->automatic) return "";
+  const auto& numbers = prepared.reduction->mode_number;
+  const std::size_t most = std::max(numbers[0].size(), numbers[1].size());
+  if (most <= many) return "";
+  return fmt::format(
+      "modes: auto keeps {} modes a plane, and a cell takes longer with each; a smaller rotor.modes_up_to_hz "
+      "(now {}) or a number as rotor.modes keeps fewer",
+      most, kit->modes_up_to_hz);
+}
+
 }  // namespace rubsweep::sweep

@@ -38,4 +38,8 @@ inline constexpr const char* unstable_rotor = "unstable_rotor";
 /// contradict the result at the first, a middle or the last speed, or where the growth is fastest.
 std::string where_rotor_is_unstable(const Study& study, const scene::PreparedMachine& prepared);
 
+/// Advice to lower a key where `modes: auto` keeps so many modes of a rotor kit that cells become slow. One
+/// line without a line end; empty where no advice is needed.
+std::string describe_many_modes(const scene::PreparedMachine& prepared);
+
 }  // namespace rubsweep::sweep

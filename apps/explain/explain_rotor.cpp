@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/explain_rotor.hpp"
+#include "explain/explain_rotor.hpp"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,9 @@
 #include "rubsweep/core/structure/matrix_problems.hpp"
 #include "rubsweep/core/structure/stability.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
+#include "rubsweep/maps/sweep/study_warnings.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 std::string name_of(const model::DegreeOfFreedom& one) {
@@ -169,7 +170,8 @@ std::string explain_kit(const scene::PreparedMachine& prepared, const model::Rot
   text += reduction.automatic ? fmt::format("  number of modes: auto, the smallest within {}\n",
                                             structure::receptance_tolerance)
                               : std::string("  number of modes: as configured\n");
-  if (const std::string many = describe_many_modes(prepared); !many.empty()) text += "    " + many + "\n";
+  if (const std::string many = sweep::describe_many_modes(prepared); !many.empty())
+    text += "    " + many + "\n";
   return text +
          "left out: modes that no stop and no sensor sees and that nothing couples with one they see, and "
          "those above the last one listed\n";
@@ -253,18 +255,4 @@ std::string describe_sparse_tables(const model::Machine& machine) {
   return text;
 }
 
-std::string describe_many_modes(const scene::PreparedMachine& prepared) {
-  // With more modes every step of the exact solver becomes slower.
-  constexpr std::size_t many = 12;
-  const model::RotorKit* kit = model::kit_of(prepared.machine);
-  if (kit == nullptr || !prepared.reduction || !prepared.reduction->automatic) return "";
-  const auto& numbers = prepared.reduction->mode_number;
-  const std::size_t most = std::max(numbers[0].size(), numbers[1].size());
-  if (most <= many) return "";
-  return fmt::format(
-      "modes: auto keeps {} modes a plane, and a cell takes longer with each; a smaller rotor.modes_up_to_hz "
-      "(now {}) or a number as rotor.modes keeps fewer",
-      most, kit->modes_up_to_hz);
-}
-
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

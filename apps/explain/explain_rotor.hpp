@@ -7,7 +7,7 @@
 #include "rubsweep/core/model/rotor_kit.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 
 /// Lines for `--explain` on the rotor of a machine: its coordinates, its reduction and its omissions.
 /// `by_tables`: supports depend on the speed by tables, and `prepared` is the machine at one of its speeds.
@@ -23,8 +23,4 @@ std::string explain_tables(const model::Machine& machine, std::vector<double> sp
 /// One line for every table with too few points to fix the curve between them; empty where there is none.
 std::string describe_sparse_tables(const model::Machine& machine);
 
-/// Advice to lower a key where `modes: auto` keeps so many modes of a rotor kit that cells become slow. One
-/// line without a line end; empty where no advice is needed.
-std::string describe_many_modes(const scene::PreparedMachine& prepared);
-
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

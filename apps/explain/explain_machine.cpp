@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/explain_machine.hpp"
+#include "explain/explain_machine.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "explain/explain_rotor.hpp"
 #include "rubsweep/core/contact/curved_law.hpp"
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/contact/hertz_line.hpp"
@@ -15,9 +16,8 @@
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/constant_load.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
-#include "rubsweep/maps/report/explain_rotor.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 double contact_half_period_s(const model::Stop& stop, double rotor_mass_kg) {
@@ -195,4 +195,4 @@ std::string explain_machine(const model::Machine& machine, double speed_hz) {
   return text;
 }
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

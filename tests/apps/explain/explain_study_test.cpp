@@ -1,15 +1,17 @@
-#include "rubsweep/maps/report/explain_study.hpp"
+#include "explain/explain_study.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "explain/explain_machine.hpp"
 #include "maps/report/says.hpp"
 #include "maps/sweep/one_side_study.hpp"
 #include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
-#include "rubsweep/maps/report/explain_machine.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
+using report::says;
+
 namespace {
 
 TEST(ExplainStudy, BeginsWithTheSceneAtTheLowestSpeed) {
@@ -80,4 +82,4 @@ TEST(ExplainStudy, NamesEveryStepper) {
 }
 
 }  // namespace
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

@@ -4,10 +4,10 @@
 
 #include "rubsweep/maps/sweep/study.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 
 /// Explanation of a sweep for a terminal: the model, its omissions and their reasons, the solver, and how a
 /// cell ends.
 std::string explain_study(const sweep::Study& study);
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

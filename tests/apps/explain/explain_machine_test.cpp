@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/explain_machine.hpp"
+#include "explain/explain_machine.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,9 @@
 #include "core/scene/kit_machine.hpp"
 #include "maps/report/says.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
+using report::says;
+
 namespace {
 
 TEST(ExplainMachine, MovingCasing) {
@@ -146,4 +148,4 @@ TEST(ExplainMachineExplainStop, ACurvedLawAndWhatItsDampingReturns) {
 }
 
 }  // namespace
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

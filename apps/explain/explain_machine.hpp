@@ -7,7 +7,7 @@
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 
 /// Lines for `--explain` on one stop: geometry, force law, friction and casing. Slip and saturation of
 /// friction are stated at the speed of `cell`.
@@ -17,4 +17,4 @@ std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Ce
 /// of friction are stated at `speed_hz`, the lowest speed of a sweep.
 std::string explain_machine(const model::Machine& machine, double speed_hz);
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/explain_rotor.hpp"
+#include "explain/explain_rotor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,9 @@
 #include "core/scene/table_machine.hpp"
 #include "core/structure/hand_matrices.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
+using report::says;
+
 namespace {
 
 std::string explained(const model::ShaftMatrices& matrices) {
@@ -60,4 +62,4 @@ TEST(ExplainRotorExplainTablesDescribeSparse, NamesThoseOfFewerThanFourSpeeds) {
 }
 
 }  // namespace
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

@@ -1,10 +1,12 @@
-#include "rubsweep/maps/report/explain_study.hpp"
+#include "explain/explain_study.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
 
+#include "explain/explain_machine.hpp"
+#include "explain/explain_rotor.hpp"
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
@@ -13,11 +15,9 @@
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
-#include "rubsweep/maps/report/explain_machine.hpp"
-#include "rubsweep/maps/report/explain_rotor.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 constexpr const char* located = "contact: located, every change of contact mode is found to rounding\n";
@@ -174,9 +174,9 @@ std::string explain_study(const sweep::Study& study) {
   }
   if (study.grid.refinement) {
     text += fmt::format("refined: from every {}th cell on, only where labels differ; {} is not missed\n",
-                        1 << study.grid.refinement->levels, describe_island_bound(study.grid));
+                        1 << study.grid.refinement->levels, report::describe_island_bound(study.grid));
   }
   return text;
 }
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps
