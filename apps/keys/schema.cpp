@@ -37,6 +37,17 @@ Json number_schema(const model::Range& range) {
   return schema;
 }
 
+/// A number of the rotor, which may say the interval in which it lies (config/intervals.hpp).
+Json number_or_interval(const model::Range& range) {
+  const Json any = number_schema(model::any_finite);
+  return {{"anyOf",
+           {number_schema(range),
+            {{"type", "object"},
+             {"additionalProperties", false},
+             {"required", {"value", "from", "to"}},
+             {"properties", {{"value", number_schema(range)}, {"from", any}, {"to", any}}}}}}};
+}
+
 /// Regular expression that matches the numbers from 0 to count - 1; `count` is between 11 and 20.
 std::string numbers_below(std::size_t count) { return fmt::format("^([0-9]|1[0-{}])$", count - 11); }
 
@@ -99,7 +110,8 @@ class Writer {
     Json schema;
     switch (form.kind) {
       case Kind::number:
-        return number_schema(form.range);
+        return path.starts_with("configuration.rotor.") ? number_or_interval(form.range)
+                                                        : number_schema(form.range);
       case Kind::integer:
         schema = {{"type", "integer"}, {"minimum", form.low}, {"maximum", form.high}};
         if (form.even) schema["multipleOf"] = 2;

@@ -34,6 +34,17 @@ TEST(Schema, OverABaseNothingIsRequiredAndKeysMayBeTakenBack) {
   EXPECT_TRUE(holds(over, R"({"type":"null"})"));
 }
 
+TEST(Schema, NumbersOfTheRotorMayBeIntervals) {
+  const Form inner = map_of({must("ratio", number(model::positive), "ratio")});
+  const std::string rotor = schema_of(map_of({must("rotor", inner, "it")}), "t"),
+                    stops = schema_of(map_of({must("stops", inner, "it")}), "t");
+  EXPECT_TRUE(holds(
+      rotor,
+      R"("required":["value","from","to"],"properties":{"value":{"type":"number","exclusiveMinimum":0)"))
+      << rotor;
+  EXPECT_FALSE(holds(stops, R"("from")"));
+}
+
 TEST(Schema, OfARunIsDraftSeven) {
   EXPECT_TRUE(schema_of(config::run_form(), "rub")
                   .starts_with(R"({"$schema":"http://json-schema.org/draft-07/schema#",)"));

@@ -40,6 +40,39 @@ TEST(DiagnosedMachine, TheIntervalOfAFitIsTaken) {
   EXPECT_EQ(machine.damping_ratio.high, 0.023);
 }
 
+constexpr std::string_view with_interval =
+    "{kind: jeffcott, mass_kg: 0.8, natural_frequency_hz: 30, damping_ratio: {value: 0.02, from: 0.01, to: "
+    "0.04}}";
+
+TEST(DiagnosedMachine, AnIntervalOfTheConfigurationIsTaken) {
+  const MachineFile file(with_interval);
+  const DiagnosedMachine machine = read_diagnosed_machine(file.path, 1);
+  EXPECT_EQ(machine.damping_ratio.low, 0.01);
+  EXPECT_EQ(machine.damping_ratio.high, 0.04);
+  EXPECT_NEAR(machine.natural_frequency_hz.high, 30 * 1.01, 1e-12);
+  file.write_fit("rotor.natural_frequency_hz", 30, 29, 31);
+  EXPECT_NE(refused(file).find("rotor.damping_ratio: has an interval beside parameters.csv of a fit"),
+            std::string::npos);
+}
+
+TEST(DiagnosedMachine, KitsAreDrawnFromTheIntervalOfAKey) {
+  std::string wide(kit);
+  wide.replace(wide.find("mass_kg: 0.8"), 12, "mass_kg: {value: 0.8, from: 0.6, to: 1}");
+  const DiagnosedMachine machine = read_diagnosed_machine(MachineFile(wide).path, 1);
+  ASSERT_EQ(machine.kits.size(), 60u);
+  EXPECT_EQ(machine.kits[0].discs[0].mass_kg, 0.8);
+  double low = 1, high = 0;
+  int within = 0;
+  for (const model::RotorKit& drawn : machine.kits) {
+    low = std::min(low, drawn.discs[0].mass_kg);
+    high = std::max(high, drawn.discs[0].mass_kg);
+    within += drawn.discs[0].mass_kg > 0.6 && drawn.discs[0].mass_kg < 1;
+  }
+  EXPECT_LT(low, 0.68);
+  EXPECT_GT(high, 0.92);
+  EXPECT_GE(within, 54);
+}
+
 TEST(DiagnosedMachine, AFitOfAnotherMachineIsRefused) {
   const MachineFile file;
   file.write_fit("rotor.damping_ratio", 0.05, 0.045, 0.055);

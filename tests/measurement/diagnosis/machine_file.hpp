@@ -29,7 +29,7 @@ struct MachineFile {
 stops:
   - {kind: one_side, angle_deg: 90, clearance_m: 0.001, stiffness_n_per_m: 2.0e6, contact_radius_m: 0.0375,
      restitution: 0.7)"
-         << (rotor == kit ? ", position_m: 0.3" : "") << "}\n"
+         << (rotor.starts_with("{kind: rotor_kit") ? ", position_m: 0.3" : "") << "}\n"
          << more << R"(
 sweep: {speed_hz: {values: [60]}, whirl_ratio: {values: [0.25]}}
 output: {directory: results}

@@ -78,7 +78,7 @@ void refuse_foreign(const yaml::Node& root, std::initializer_list<std::string_vi
 
 yaml::Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,
                         const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics,
-                        const yaml::Alternatives& alternatives) {
+                        const yaml::Alternatives& alternatives, std::vector<KeyInterval>* intervals) {
   auto root = parse_document(text, -1, "", diagnostics);
   diagnostics.throw_if_any();
   if (root->kind == yaml::Node::Kind::null) {
@@ -88,6 +88,8 @@ yaml::Node parse_config(std::string_view text, const std::filesystem::path& file
   if (!resolve_bases(*root, file, alternatives, diagnostics)) diagnostics.throw_if_any();
   apply_overrides(*root, overrides, alternatives, diagnostics);
   refuse_base_of_override(*root, diagnostics);
+  std::vector<KeyInterval> taken = take_intervals(*root, diagnostics);
+  if (intervals != nullptr) *intervals = std::move(taken);
   machine::resolve_tables(*root, diagnostics);
   machine::resolve_matrices(*root, diagnostics);
   return *std::move(root);

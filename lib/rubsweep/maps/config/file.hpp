@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rubsweep/maps/batch/table_file.hpp"
+#include "rubsweep/maps/config/intervals.hpp"
 #include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/yaml/alternatives.hpp"
@@ -22,10 +23,12 @@ namespace rubsweep::config {
 /// applies the overrides (see override.hpp). Problems go to `diagnostics`. Throws ConfigError where the text
 /// is empty or no YAML document, and where a base cannot be read. `form` describes in words the possible
 /// content of the configuration. `alternatives`: keys that exclude each other; a key removes those that it
-/// excludes in the file below.
+/// excludes in the file below. Intervals of the rotor's numbers (see intervals.hpp) become their values, and
+/// go to `intervals`.
 yaml::Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,
                         const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics,
-                        const yaml::Alternatives& alternatives = {});
+                        const yaml::Alternatives& alternatives = {},
+                        std::vector<KeyInterval>* intervals = nullptr);
 
 /// Value that `read` makes from the root of a configuration. Throws ConfigError as parse_config does, and
 /// also with every problem that `read` added.

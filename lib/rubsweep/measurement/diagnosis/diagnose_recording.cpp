@@ -132,6 +132,16 @@ std::optional<diagnose::answer::Answer> answer_of(const RecordedProblem& recorde
   auto answer =
       diagnose::answer::answer_of(problem, diagnosis, seen, lines, std::move(facts), std::move(next));
   answer.interrupted = is_stopped(effort);
+  const auto& probes = recorded.recording.probes;
+  const diagnose::Spread frequency_hz =
+      spread_of(problem.candidates.front(), diagnose::Unknown::natural_frequency);
+  answer.signs = diagnose::answer::foreign_signs(
+      lines,
+      {.speed_hz = recorded.recording.mean_speed_hz(),
+       .natural_frequency_hz = (frequency_hz.low + frequency_hz.high) / 2,
+       .probe_angle_deg = problem.measuring.probes == 2
+                              ? std::optional(std::pair(probes.front().angle_deg, probes.back().angle_deg))
+                              : std::nullopt});
   return answer;
 }
 

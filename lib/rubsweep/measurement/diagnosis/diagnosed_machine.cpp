@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/config/intervals.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
@@ -61,6 +62,30 @@ void set_jeffcott(const model::JeffcottRotor& rotor, const Fitted& fitted, const
   diagnosed.remarks.emplace_back(
       "rotor: has one mode, and so has every candidate: a rub of a rotor with a second bending mode may be "
       "called none of these; a rotor_kit has its modes");
+}
+
+/// Fit beside the configuration, or else the intervals in it, which count as those of 95 % of independent
+/// errors. Throws ConfigError where there is both.
+Fitted known_parameters(const fs::path& file, const std::string& text) {
+  Fitted fitted = diagnose::read_fitted_parameters(file.parent_path());
+  const std::vector<config::KeyInterval> intervals = config::read_intervals(text, file.string());
+  if (intervals.empty()) return fitted;
+  if (fitted)
+    throw ConfigError(
+        fmt::format("{}: {}: has an interval beside parameters.csv of a fit, allowed: one of both",
+                    file.string(), intervals.front().key));
+  const auto count = static_cast<Eigen::Index>(intervals.size());
+  fitted.emplace();
+  for (Eigen::VectorXd* column : {&fitted->value, &fitted->low_95, &fitted->high_95}) column->resize(count);
+  fitted->error_root = Eigen::MatrixXd::Identity(count, count);
+  for (const config::KeyInterval& interval : intervals) {
+    const auto i = static_cast<Eigen::Index>(fitted->name.size());
+    fitted->name.push_back(interval.key);
+    fitted->value(i) = interval.value;
+    fitted->low_95(i) = interval.from;
+    fitted->high_95(i) = interval.to;
+  }
+  return fitted;
 }
 
 /// Throws ConfigError where the fit belongs to another machine than the configuration beside it.
@@ -151,7 +176,7 @@ DiagnosedMachine read_diagnosed_machine(const fs::path& file, std::uint64_t seed
   diagnosed.fixed.contact_radius_m = stop.contact_radius_m;
   if (stop.casing && stop.casing->damping_ratio > 0)
     diagnosed.fixed.casing_damping_ratio = stop.casing->damping_ratio;
-  const Fitted fitted = diagnose::read_fitted_parameters(file.parent_path());
+  const Fitted fitted = known_parameters(file, diagnosed.text);
   if (fitted) require_same_machine(*fitted, config, file);
   set_unbalance(fitted, diagnosed);
   if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor)) {

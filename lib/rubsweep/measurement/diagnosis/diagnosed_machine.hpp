@@ -23,9 +23,10 @@ struct DiagnosedMachine {
 };
 
 /// Reads the configuration of a machine, and the intervals in parameters.csv and correlation.csv that rubfit
-/// wrote into the same directory. Without these files the intervals are 1 % of the natural frequencies and 20
-/// % of the damping. Rotor kits are drawn from the intervals with `seed`. Throws ConfigError where a Jeffcott
-/// rotor has no damping, where gravity acts, or where diagnose::refuse_unscalable refuses a kit, and IoError.
+/// wrote into the same directory, or those in the configuration (config/intervals.hpp). Numbers without an
+/// interval are known to 1 % (natural frequencies) and 20 % (damping). Rotor kits are drawn from the
+/// intervals with `seed`. Throws ConfigError where a Jeffcott rotor has no damping, where gravity acts, or
+/// where diagnose::refuse_unscalable refuses a kit, and IoError.
 DiagnosedMachine read_diagnosed_machine(const std::filesystem::path& file, std::uint64_t seed);
 
 /// Makes the known kit from the drawn kits at the speed of the recording; does nothing for a Jeffcott rotor.

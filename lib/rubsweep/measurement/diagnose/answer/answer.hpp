@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "rubsweep/measurement/diagnose/answer/foreign_cause.hpp"
 #include "rubsweep/measurement/diagnose/inference/next_measurement.hpp"
 #include "rubsweep/measurement/diagnose/observed_lines.hpp"
 
@@ -71,6 +72,7 @@ struct Answer {
   std::size_t cases = 0;
   std::vector<DecidingFeature> deciding{};
   std::vector<BestMotion> best{};
+  std::vector<ForeignSign> signs{};  ///< causes other than a rub that have such lines
   std::vector<inference::NextMeasurement> next{};
 };
 

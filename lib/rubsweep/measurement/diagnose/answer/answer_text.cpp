@@ -89,6 +89,18 @@ std::string trust_line(const Answer& answer) {
                             as_far, as_far == 1 ? "lies" : "lie");
 }
 
+/// Signs of other causes; a rub that explains the recording has no need of them.
+std::string signs_text(const Answer& answer) {
+  constexpr double least_none = 0.2;
+  if (answer.signs.empty() || (answer.none < least_none && answer.candidates.front().cause != Cause::no_rub))
+    return {};
+  std::string text = "\nother causes with such lines, and the share of the energy off 1X in them\n";
+  for (const ForeignSign& sign : answer.signs)
+    text += fmt::format("  {:<22} {} at {:.3g}X: {}\n", to_string(sign.cause), percent(sign.share),
+                        sign.order, words_for(sign.cause));
+  return text;
+}
+
 }  // namespace
 
 std::string probabilities_csv(const Answer& answer) {
@@ -170,6 +182,10 @@ std::string answer_json(const Answer& answer) {
   for (const BestMotion& motion : answer.best)
     root["best_motions"].push_back(
         {{"candidate", motion.candidate}, {"unexplained", motion.overlay.unexplained}});
+  root["other_causes"] = Json::array();
+  for (const ForeignSign& sign : answer.signs)
+    root["other_causes"].push_back(
+        {{"cause", to_string(sign.cause)}, {"share_off_1x", sign.share}, {"order", sign.order}});
   root["next_measurements"] = Json::array();
   for (const inference::NextMeasurement& next : answer.next)
     root["next_measurements"].push_back({{"name", next.name}, {"information_bits", next.information_bits}});
@@ -205,6 +221,7 @@ std::string answer_text(const Answer& answer, const model::ShownLengths& shown) 
     text += probability_line(candidate.name, candidate.probability, candidate.standard_error);
   text += probability_line("none of these", answer.none, answer.none_standard_error);
   text += trust_line(answer);
+  text += signs_text(answer);
   const CandidateAnswer& first = answer.candidates.front();
   if (!answer.clipped && !first.numbers.empty()) {
     text += fmt::format("\nif it is {}\n", first.name);
