@@ -99,6 +99,37 @@ def threshold_n_per_m(rotor, matrices, place, up_to_hz):
     return (low[0] + high[0]) / 2
 
 
+def rigid_critical_hz(rotor):
+    """First critical speed of synchronous forward whirl with the shaft pinned at its bearings, without seals, in Hz."""
+    mass, stiffness = rotor.mass.copy(), rotor.stiffness.copy()
+    for one in rotor.supports:
+        if one.position_m is None or one.pairs[0][1] is not None:
+            raise SystemExit("supports at or on housings are not studied")
+        if not one.tabled:
+            k, _, m = one.at(0)
+            gap = one.gap(rotor.n)
+            stiffness -= gap.T @ k @ gap
+            mass -= gap.T @ m @ gap
+    places, tilts = np.array(rotor.places), rotor.tilts
+    x, y = (np.concatenate([places[:, plane], tilts[:, plane]]) for plane in range(2))
+    sign = np.concatenate([np.ones(len(places)), -np.ones(len(tilts))])
+    both = np.outer(sign, sign)
+    # y = -i x and y' = w x: the gyroscopic force w G y' is w^2 G x.
+    inertia = (mass[np.ix_(x, x)] + both * mass[np.ix_(y, y)]) / 2 - rotor.gyroscopic[np.ix_(x, y)] * sign
+    spring = (stiffness[np.ix_(x, x)] + both * stiffness[np.ix_(y, y)]) / 2
+    pinned = {rotor.place(rotor.supports[i].position_m) for i in rotor.bearings()}
+    free = [i for i in range(len(x)) if i not in pinned]
+    values = np.linalg.eigvals(np.linalg.solve(spring[np.ix_(free, free)], inertia[np.ix_(free, free)]))
+    return 1 / (2 * math.pi * math.sqrt(values.real.max()))
+
+
+def region_limit(density_kg_per_m3):
+    """Critical speed ratio between the regions A and B of Level I."""
+    if density_kg_per_m3 > 60:
+        return 0.0
+    return 2.5 if density_kg_per_m3 <= 16.53 else 2.69 - 0.0115 * density_kg_per_m3
+
+
 def critical_speeds(rotor, from_hz, to_hz, anchors=4, steps=20):
     """Speeds at which a whirl frequency equals the shaft speed, with damping ratio: modes are found at some speeds
     and followed between them."""

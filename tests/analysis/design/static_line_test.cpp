@@ -144,5 +144,18 @@ TEST(StaticLine, ASealHoldsNothingAndNameOrSoftnessTellIt) {
   EXPECT_EQ(bearings_of(kit), (std::vector<std::size_t>{1, 0, 2}));
 }
 
+/// Rounding may leave a finite solution of the singular equations.
+TEST(StaticLine, OneBearingBesideSealsHoldsNothing) {
+  model::RotorKit kit = uniform_shaft();
+  EXPECT_TRUE(static_line(kit, {}).holds);
+  for (const double place_m : {0.0, 0.37, 0.9}) {
+    kit.supports = {bearing_at(place_m), bearing_at(length_m)};
+    kit.supports[1].name = "Seal";
+    EXPECT_FALSE(static_line(kit, {}).holds) << place_m;
+  }
+  kit.supports[0].angular_stiffness_nm_per_rad = 1e5;
+  EXPECT_TRUE(static_line(kit, {}).holds) << "clamped";
+}
+
 }  // namespace
 }  // namespace rubsweep::design
