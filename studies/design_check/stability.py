@@ -100,26 +100,28 @@ def threshold_n_per_m(rotor, matrices, place, up_to_hz):
 
 
 def rigid_critical_hz(rotor):
-    """First critical speed of synchronous forward whirl with the shaft pinned at its bearings, without seals, in Hz."""
+    """First critical speed of synchronous forward whirl in Hz, without seals, with the shaft pinned at its bearings to the
+    ground or to the housings on which they stand."""
     mass, stiffness = rotor.mass.copy(), rotor.stiffness.copy()
     for one in rotor.supports:
-        if one.position_m is None or one.pairs[0][1] is not None:
-            raise SystemExit("supports at or on housings are not studied")
-        if not one.tabled:
+        if one.position_m is not None and not one.tabled:
             k, _, m = one.at(0)
             gap = one.gap(rotor.n)
             stiffness -= gap.T @ k @ gap
             mass -= gap.T @ m @ gap
-    places, tilts = np.array(rotor.places), rotor.tilts
-    x, y = (np.concatenate([places[:, plane], tilts[:, plane]]) for plane in range(2))
-    sign = np.concatenate([np.ones(len(places)), -np.ones(len(tilts))])
+    points, tilts = np.array(rotor.places + rotor.housings), rotor.tilts
+    x, y = (np.concatenate([points[:, plane], tilts[:, plane]]) for plane in range(2))
+    sign = np.concatenate([np.ones(len(points)), -np.ones(len(tilts))])
     both = np.outer(sign, sign)
     # y = -i x and y' = w x: the gyroscopic force w G y' is w^2 G x.
     inertia = (mass[np.ix_(x, x)] + both * mass[np.ix_(y, y)]) / 2 - rotor.gyroscopic[np.ix_(x, y)] * sign
     spring = (stiffness[np.ix_(x, x)] + both * stiffness[np.ix_(y, y)]) / 2
-    pinned = {rotor.place(rotor.supports[i].position_m) for i in rotor.bearings()}
-    free = [i for i in range(len(x)) if i not in pinned]
-    values = np.linalg.eigvals(np.linalg.solve(spring[np.ix_(free, free)], inertia[np.ix_(free, free)]))
+    free = np.eye(len(x))
+    for i in rotor.bearings():
+        here, base = (None if at is None else list(x).index(at) for at in rotor.supports[i].pairs[0])
+        free[here] = 0 if base is None else free[base]
+    free = free[:, free.any(axis=0)]
+    values = np.linalg.eigvals(np.linalg.solve(free.T @ spring @ free, free.T @ inertia @ free))
     return 1 / (2 * math.pi * math.sqrt(values.real.max()))
 
 
