@@ -124,15 +124,17 @@ std::string explain_sag(const scene::PreparedMachine& prepared, std::size_t stop
 }
 
 std::string explain_kick(const model::Machine& machine) {
-  if (model::begins_at_rest(machine.start))
-    return "start: at rest in the unloaded position, not kicked, the shaft's mark along +x; unbalance and "
-           "weight act from then on\n";
-  if (machine.start)
+  if (machine.start && !machine.start->at_rest)
     return "start: in a given state, not kicked; what is not given is that of the quiet whirl\n";
-  if (!machine.kick) return "kick: none\n";
   std::string text;
+  if (machine.start)
+    text +=
+        "start: at rest in the unloaded position, the shaft's mark along +x; unbalance and weight act from "
+        "then on\n";
+  if (!machine.kick) return text + "kick: none\n";
   model::for_each_kick(
       machine, [&](auto& kick, auto name) { text += fmt::format("{}: {}\n", name, scene::describe(kick)); });
+  if (machine.start) return text;
   return text +
          "  none where the quiet whirl itself reaches a wall (whirl ratio 1 and above): the rotor starts at "
          "rest there\n";

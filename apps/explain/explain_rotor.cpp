@@ -7,9 +7,9 @@
 #include <set>
 #include <string_view>
 
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/model/shaft_matrices.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
-#include "rubsweep/core/model/support_path.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/structure/full_reference.hpp"
 #include "rubsweep/core/structure/matrix_problems.hpp"
@@ -47,14 +47,13 @@ std::size_t massless(const model::ShaftMatrices& matrices) {
   return count;
 }
 
-/// Name of a support in the file that it was read from, in parentheses.
-std::string named(const model::Support& support) {
-  return support.name.empty() ? "" : " (" + support.name + ")";
-}
-
-std::string place_of(const model::Support& support) {
-  return support.at_housing ? fmt::format("housing {}", *support.at_housing)
-                            : fmt::format("{:.6g} m", support.position_m);
+/// Place of a part behind the word "at"; nothing for a housing, which stands beside the shaft.
+template <class Part>
+std::string at_place(const Part& part) {
+  if constexpr (requires { part.at_housing; })
+    if (part.at_housing) return fmt::format(" at housing {}", *part.at_housing);
+  if constexpr (requires { part.position_m; }) return fmt::format(" at {:.6g} m", part.position_m);
+  return {};
 }
 
 std::string explain_coefficients(const model::SupportTable& table, double speed_hz) {
@@ -120,15 +119,21 @@ std::string explain_rotating_damping(const scene::PreparedMachine& prepared, con
               : "stable up to " + model::speed_text(highest_hz, 4));
 }
 
-/// Line of the supports by the names that the file of the rotor gives them; empty where it gives none.
-std::string explain_names(const model::RotorKit& kit) {
+/// Line of the parts that have names; empty where none has.
+template <class Part>
+std::string explain_names(std::string_view word, const std::vector<Part>& parts) {
   std::string text;
-  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
-    const model::Support& support = kit.supports[i];
-    if (!support.name.empty())
-      text += fmt::format("{}{} ({}) at {}", text.empty() ? "" : ", ", i, support.name, place_of(support));
-  }
-  return text.empty() ? "" : "  supports: " + text + "\n";
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!parts[i].name.empty())
+      text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", i, model::in_brackets(parts[i].name),
+                          at_place(parts[i]));
+  return text.empty() ? "" : fmt::format("  {}: {}\n", word, text);
+}
+
+std::string explain_names(const model::RotorKit& kit) {
+  return explain_names("discs", kit.discs) + explain_names("point masses", kit.point_masses) +
+         explain_names("housings", kit.housings) + explain_names("supports", kit.supports) +
+         explain_names("sensors", kit.sensors);
 }
 
 std::string explain_shaft(const model::RotorKit& kit) {
@@ -233,8 +238,9 @@ std::string explain_tables(const model::Machine& machine, std::vector<double> sp
   for (std::size_t i = 0; i < kit->supports.size(); ++i) {
     const auto& table = kit->supports[i].table;
     if (!table) continue;
-    text += fmt::format("  support {}{} at {}: table of {} speeds from {}, monotone cubics between\n", i,
-                        named(kit->supports[i]), place_of(kit->supports[i]), table->speed_hz.size(),
+    text += fmt::format("  support {}{}{}: table of {} speeds from {}, monotone cubics between\n", i,
+                        model::in_brackets(kit->supports[i].name), at_place(kit->supports[i]),
+                        table->speed_hz.size(),
                         model::speed_range_text(table->speed_hz.front(), table->speed_hz.back()));
     for (const double speed_hz : shown) text += explain_coefficients(*table, speed_hz);
   }

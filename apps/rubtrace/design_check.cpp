@@ -46,7 +46,8 @@ constexpr int premise_speeds = 121;
 design::DesignQuestions questions_of(const RubtraceArguments& arguments, const sweep::Study& study) {
   const DesignCheckArguments& asked = arguments.design_check.value();
   design::DesignQuestions questions{
-      operating_range(asked, study), {}, asked.kick_speeds, batch::thread_count(asked.threads), asked.stages};
+      operating_range(asked, study),      {},           asked.kick_speeds,
+      batch::thread_count(asked.threads), asked.stages, asked.gas_density_kg_per_m3};
   if (arguments.place.has_unbalance()) {
     const scene::Unbalance unbalance = unbalance_of(arguments.place, study.machine);
     questions.eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;

@@ -133,8 +133,7 @@ void add_shaft(const model::Machine& machine, const ReportSpeeds& speeds, const 
   std::vector<double> stations_m = design::stop_stations_m(machine);
   for (int k = 1; k < more && !kit.matrices; ++k) stations_m.push_back(k * model::shaft_length_m(kit) / more);
   const design::StaticLine line = design::static_line(kit, stations_m, gravity);
-  const bool held = line.deflection_m[0].allFinite() && line.deflection_m[1].allFinite();
-  if (held) {
+  if (line.holds) {
     report.files["static_line.csv"] = static_line_csv(line);
     if (!given)
       report.notes.push_back(
@@ -147,7 +146,7 @@ void add_shaft(const model::Machine& machine, const ReportSpeeds& speeds, const 
   } else {
     report.notes.push_back({"static_line", "left out: the bearings alone do not hold the shaft"});
   }
-  if (held && !line.loads.empty()) {
+  if (line.holds && !line.loads.empty()) {
     std::vector<double> forces_n;
     for (const design::BearingLoad& load : line.loads) {
       const auto at = std::ranges::find(rotor.bearings(), load.support, &design::Bearing::support);
@@ -159,7 +158,7 @@ void add_shaft(const model::Machine& machine, const ReportSpeeds& speeds, const 
       const design::BearingLoad& load = line.loads[i];
       report.summary += fmt::format(
           "bearing   {} at {:.6g} m: static load {:.5g} N, {:.4g} N by unbalance at {}\n",
-          support_name(kit, load.support), kit.supports[load.support].position_m,
+          support_label(kit, load.support), kit.supports[load.support].position_m,
           std::hypot(load.load_n[0], load.load_n[1]), forces_n[i], model::speed_text(speeds.deflected_hz));
     }
   }

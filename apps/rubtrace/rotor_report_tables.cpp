@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 
@@ -19,6 +20,11 @@ namespace {
 using batch::csv_number;
 
 std::string cell(std::optional<double> value) { return value ? csv_number(*value) : std::string(); }
+
+/// Name of an element, or word and number where it has none.
+std::string label_of(std::string_view word, std::size_t number, const std::string& name = {}) {
+  return name.empty() ? fmt::format("{} {}", word, number) : name;
+}
 
 /// Row of the table of parts.
 struct Part {
@@ -72,40 +78,37 @@ void add_shaft(const model::RotorKit& kit, std::vector<Part>& parts) {
 
 }  // namespace
 
-std::string support_name(const model::RotorKit& kit, std::size_t support) {
-  const std::string& name = kit.supports[support].name;
-  if (name.empty()) return fmt::format("support {}", support);
-  // ROSS writes the class of an element before its tag.
-  const std::size_t end = name.find("Element_");
-  return end == std::string::npos ? name : name.substr(name.find('_') + 1);
+std::string support_label(const model::RotorKit& kit, std::size_t support) {
+  return label_of("support", support, model::support_name(kit, support));
 }
 
 std::string rotor_parts_csv(const model::Machine& machine) {
   const model::RotorKit& kit = *model::kit_of(machine);
   std::vector<Part> parts;
   add_shaft(kit, parts);
-  const auto named = [](const char* word, std::size_t number) { return fmt::format("{} {}", word, number); };
   for (std::size_t i = 0; i < kit.discs.size(); ++i) {
-    Part& part = parts.emplace_back(Part{"disc", named("disc", i), kit.discs[i].position_m});
+    Part& part =
+        parts.emplace_back(Part{"disc", label_of("disc", i, kit.discs[i].name), kit.discs[i].position_m});
     part.mass_kg = kit.discs[i].mass_kg;
     part.polar_inertia_kg_m2 = kit.discs[i].polar_inertia_kg_m2;
   }
   for (std::size_t i = 0; i < kit.point_masses.size(); ++i) {
-    parts.push_back({"point_mass", named("point mass", i), kit.point_masses[i].position_m});
+    parts.push_back(
+        {"point_mass", label_of("point mass", i, kit.point_masses[i].name), kit.point_masses[i].position_m});
     parts.back().mass_kg = kit.point_masses[i].mass_kg;
   }
   for (std::size_t i = 0; i < kit.supports.size(); ++i)
     if (!kit.supports[i].at_housing)
       parts.push_back(
-          {design::is_seal(kit, i) ? "seal" : "bearing", support_name(kit, i), kit.supports[i].position_m});
+          {design::is_seal(kit, i) ? "seal" : "bearing", support_label(kit, i), kit.supports[i].position_m});
   for (std::size_t i = 0; i < kit.couplings.size(); ++i)
-    parts.push_back({"coupling", named("coupling", i), kit.couplings[i].position_m});
+    parts.push_back({"coupling", label_of("coupling", i), kit.couplings[i].position_m});
   for (std::size_t i = 0; i < kit.static_loads.size(); ++i)
-    parts.push_back({"load", named("load", i), kit.static_loads[i].position_m});
+    parts.push_back({"load", label_of("load", i), kit.static_loads[i].position_m});
   for (std::size_t i = 0; i < machine.stops.size(); ++i)
-    parts.push_back({"stop", named("stop", i), *machine.stops[i].position_m});
+    parts.push_back({"stop", label_of("stop", i), *machine.stops[i].position_m});
   for (std::size_t i = 0; i < kit.sensors.size(); ++i) {
-    parts.push_back({"probe", named("probe", i), kit.sensors[i].position_m});
+    parts.push_back({"probe", label_of("probe", i, kit.sensors[i].name), kit.sensors[i].position_m});
     parts.back().angle_deg = kit.sensors[i].angle_deg;
   }
   std::string text =
@@ -141,7 +144,7 @@ std::string bearing_loads_csv(const model::RotorKit& kit, const design::StaticLi
   for (std::size_t i = 0; i < line.loads.size(); ++i) {
     const design::BearingLoad& load = line.loads[i];
     const std::array<std::string, 5> cells{
-        support_name(kit, load.support), csv_number(kit.supports[load.support].position_m),
+        support_label(kit, load.support), csv_number(kit.supports[load.support].position_m),
         csv_number(load.load_n[0]), csv_number(load.load_n[1]), csv_number(unbalance_force_n[i])};
     text += batch::csv_row(cells) + "\n";
   }
@@ -162,7 +165,7 @@ std::string bearing_stiffness_csv(const model::RotorKit& kit, std::span<const do
   for (const std::size_t bearing : design::bearings_of(kit)) {
     for (const double speed_hz : speeds_hz) {
       const model::Support at = structure::support_at(kit.supports[bearing], speed_hz, "");
-      const std::array<std::string, 4> cells{support_name(kit, bearing), csv_number(speed_hz),
+      const std::array<std::string, 4> cells{support_label(kit, bearing), csv_number(speed_hz),
                                              csv_number(at.stiffness_x_n_per_m),
                                              csv_number(at.stiffness_y_n_per_m)};
       text += batch::csv_row(cells) + "\n";

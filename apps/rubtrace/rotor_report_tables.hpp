@@ -55,7 +55,7 @@ std::string deflected_shape_csv(const linear::FreeRotor& rotor, const Eigen::Vec
 /// Columns picture, note, from_hz, to_hz.
 std::string report_notes_csv(const std::vector<ReportNote>& notes);
 
-/// Name of a support: that of its element in a file of another program, or its number.
-std::string support_name(const model::RotorKit& kit, std::size_t support);
+/// Name of a support, or its number where it has none.
+std::string support_label(const model::RotorKit& kit, std::size_t support);
 
 }  // namespace rubsweep::apps

@@ -17,6 +17,7 @@ namespace rubsweep::apps {
 namespace {
 
 constexpr long most_kick_speeds = 1000;
+constexpr double most_gas_density = 1e4;  // in kg/m3
 
 constexpr std::string_view examples =
     "Examples:\n"
@@ -115,6 +116,8 @@ po::options_description visible_options() {
       "stage", po::value<std::vector<std::string>>()->value_name("STAGE"),
       "of --design-check, for each stage: impeller:KW:DENSITY_RATIO:DIAMETER_MM:WIDTH_MM or "
       "blades:KW:DIAMETER_MM:HEIGHT_MM, whose power drives cross-coupling; none: the rotor does no work")(
+      "gas-density", po::value<double>()->value_name("KG_PER_M3"),
+      "of --design-check: mean density of the gas, for region A or B of Level I")(
       "require-pass", "of --design-check: exit code 4 where the answer is not pass")(
       "rotor-report", po::value<std::string>()->value_name("DIR"),
       "instead: a page DIR/rotor_report.html with the rotor, Campbell diagram, stability, critical speed "
@@ -184,7 +187,7 @@ void read_design_check(const po::variables_map& given, RubtraceArguments& argume
   if (given.count("design-check") == 0) {
     if (!arguments.rotor_report && (given.count("operating-hz") != 0 || given.count("operating-rpm") != 0))
       throw UsageError("--operating-hz and --operating-rpm belong to --design-check and --rotor-report");
-    for (const char* name : {"stage", "require-pass"})
+    for (const char* name : {"stage", "gas-density", "require-pass"})
       if (given.count(name) != 0) throw UsageError(fmt::format("--{} belongs to --design-check", name));
     for (const char* name : {"kick-speeds", "threads"})
       if (!given[name].defaulted()) throw UsageError(fmt::format("--{} belongs to --design-check", name));
@@ -199,6 +202,11 @@ void read_design_check(const po::variables_map& given, RubtraceArguments& argume
   check.kick_speeds = static_cast<int>(kick_speeds);
   check.threads = threads_of(given);
   if (given.count("stage") != 0) check.stages = stages_of(given["stage"].as<std::vector<std::string>>());
+  if (given.count("gas-density") != 0) {
+    check.gas_density_kg_per_m3 = given["gas-density"].as<double>();
+    if (!(*check.gas_density_kg_per_m3 > 0 && *check.gas_density_kg_per_m3 < most_gas_density))
+      throw UsageError(fmt::format("--gas-density: allowed: a number > 0 and < {}", most_gas_density));
+  }
   check.require_pass = given.count("require-pass") != 0;
   if (given.count("other-end") != 0) check.other_end = given["other-end"].as<std::vector<std::string>>();
   arguments.design_check = std::move(check);

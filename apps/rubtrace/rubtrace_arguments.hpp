@@ -21,6 +21,7 @@ struct DesignCheckArguments {
   int threads = 0;
   std::vector<std::string> other_end = {};  ///< keys and values of the other end of the bearings' clearances
   std::optional<std::vector<design::Stage>> stages = {};  ///< see design::LateralQuestions
+  std::optional<double> gas_density_kg_per_m3 = {};       ///< see design::LateralQuestions
   bool require_pass = false;  ///< every answer except "pass" ends with exit code 4
 };
 

@@ -28,6 +28,7 @@ import stability
 from rotor import Rotor, rows_of
 
 TOLERANCE = 1e-6
+GAS_DENSITY_KG_PER_M3 = 40.0
 
 
 class Comparison:
@@ -106,7 +107,8 @@ class Check:
         self.from_hz, self.to_hz = operating
         with tempfile.TemporaryDirectory() as name:
             self.rows = self.run(name, "--design-check", "--operating-hz", f"{self.from_hz!r}:{self.to_hz!r}",
-                                 "--kick-speeds", "0", *[part for one in stages for part in ("--stage", one)],
+                                 "--kick-speeds", "0", "--gas-density", f"{GAS_DENSITY_KG_PER_M3!r}",
+                                 *[part for one in stages for part in ("--stage", one)],
                                  table="design_check.csv")
         self.rotor = Rotor(str(programs / "rubsweep"), str(config))
         lows, highs = zip(*(one.speeds_hz for one in self.rotor.supports))
@@ -227,6 +229,8 @@ class Check:
             self.compare_decrement("level_1", mode and stability.decrement(mode[0]))
             threshold = stability.threshold_n_per_m(rotor, bare, midspan, 2 * speed_hz)
             self.compare_decrement("level_1_threshold", threshold and threshold / coupling)
+            self.compare_row(self.told("level_1_region"), speed_hz / stability.rigid_critical_hz(rotor),
+                             stability.region_limit(GAS_DENSITY_KG_PER_M3))
         modes = [stability.first_forward(rotor, stability.coupled(rotor, rotor.at(hz), midspan, coupling), 2 * speed_hz)
                  for hz in np.linspace(self.from_hz, self.to_hz, 11)]
         least = min((stability.decrement(mode[0]) for mode in modes if mode), default=None)

@@ -99,6 +99,39 @@ def threshold_n_per_m(rotor, matrices, place, up_to_hz):
     return (low[0] + high[0]) / 2
 
 
+def rigid_critical_hz(rotor):
+    """First critical speed of synchronous forward whirl in Hz, without seals, with the shaft pinned at its bearings to the
+    ground or to the housings on which they stand."""
+    mass, stiffness = rotor.mass.copy(), rotor.stiffness.copy()
+    for one in rotor.supports:
+        if one.position_m is not None and not one.tabled:
+            k, _, m = one.at(0)
+            gap = one.gap(rotor.n)
+            stiffness -= gap.T @ k @ gap
+            mass -= gap.T @ m @ gap
+    points, tilts = np.array(rotor.places + rotor.housings), rotor.tilts
+    x, y = (np.concatenate([points[:, plane], tilts[:, plane]]) for plane in range(2))
+    sign = np.concatenate([np.ones(len(points)), -np.ones(len(tilts))])
+    both = np.outer(sign, sign)
+    # y = -i x and y' = w x: the gyroscopic force w G y' is w^2 G x.
+    inertia = (mass[np.ix_(x, x)] + both * mass[np.ix_(y, y)]) / 2 - rotor.gyroscopic[np.ix_(x, y)] * sign
+    spring = (stiffness[np.ix_(x, x)] + both * stiffness[np.ix_(y, y)]) / 2
+    free = np.eye(len(x))
+    for i in rotor.bearings():
+        here, base = (None if at is None else list(x).index(at) for at in rotor.supports[i].pairs[0])
+        free[here] = 0 if base is None else free[base]
+    free = free[:, free.any(axis=0)]
+    values = np.linalg.eigvals(np.linalg.solve(free.T @ spring @ free, free.T @ inertia @ free))
+    return 1 / (2 * math.pi * math.sqrt(values.real.max()))
+
+
+def region_limit(density_kg_per_m3):
+    """Critical speed ratio between the regions A and B of Level I."""
+    if density_kg_per_m3 > 60:
+        return 0.0
+    return 2.5 if density_kg_per_m3 <= 16.53 else 2.69 - 0.0115 * density_kg_per_m3
+
+
 def critical_speeds(rotor, from_hz, to_hz, anchors=4, steps=20):
     """Speeds at which a whirl frequency equals the shaft speed, with damping ratio: modes are found at some speeds
     and followed between them."""

@@ -42,6 +42,17 @@ class Design(figures.FigureTest):
     def test_texts_leave_each_other_room(self):
         self.assertEqual(figures.over_each_other(self.draw("design")), [])
 
+    def test_probes_have_the_names_of_their_sensors(self):
+        rows = CHECKS.replace("verdict\n", "verdict,name\n").replace("ok\n", "ok,\n").replace("met\n", "met,\n").replace("N,,\n", "N,,,\n")
+        rows = rows.replace("0.6063,ok,", '0.6063,ok,"drive end 45, drive end 135"') + 'vibration,probe 1,0.4,50,1e-05,2.54e-05,m,0.6,ok,free end x\n'
+        self.write("design_check.csv", rows)
+        self.write("unbalance_response.csv", RESPONSE + RESPONSE.split("\n", 1)[1].split("stop")[0].replace("probe 0,0.25", "probe 1,0.4"))
+        root = self.draw("design")
+        words = figures.words(root)
+        self.assertIn("probe 0 (drive end 45, drive end 135)", words)
+        self.assertIn("probe 1 (free end x)", words)
+        self.assertEqual(figures.over_each_other(root), [])
+
     def test_of_many_checks_those_that_are_not_met_and_the_smallest_margins_are_shown(self):
         rows = [f"separation,configured at probe {k},0.25,{30 + k},-0.1,0.2,1,{margin},{verdict}"
                 for k, (margin, verdict) in enumerate([(0.9, "ok")] * 12 + [(0.01, "ok"), (-0.123, "not_met")])]

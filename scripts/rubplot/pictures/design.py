@@ -4,19 +4,22 @@ import os
 import re
 from itertools import groupby
 
-from rubplot import captions, configuration, csv_table, shown_units
+from rubplot import captions, configuration, csv_table, gnuplot_text, shown_units
 from rubplot.failure import require_readable
 from rubplot.gnuplot import Picture
 from rubplot.subcommand import Subcommand
 
 MOST_CURVES = 8  # of probes and of stops each
 MOST_ROWS = 14
+MOST_LETTERS = 32  # of a name in the legend
 PLACES = r"(?:(?:configured|mode [12]|left end|right end) at )?(?:probe|stop|support) \d+"
 CHECKS = {"vibration": "vibration", "clearance": "clearance", "dry_whip": "dry whip", "stability": "stability",
           "clearance_to_trip": "to trip", "response": "response", "separation": "separation", "amplification": "AF",
           "bearing_force": "force", "cross_coupling": "coupling", "level_1": "level I", "level_1_threshold": "Q0 / QA",
+          "level_1_region": "region",
           "level_2": "level II", "kick": "smallest kick"}
-OF_NO_PLACE = ("kick", "stability", "clearance_to_trip", "separation", "cross_coupling", "level_1", "level_1_threshold", "level_2")
+OF_NO_PLACE = ("kick", "stability", "clearance_to_trip", "separation", "cross_coupling", "level_1", "level_1_threshold", "level_1_region",
+               "level_2")
 
 
 def picture(given):
@@ -30,6 +33,7 @@ def picture(given):
     locks = [csv_table.number(row, "speed_hz") for row in csv_table.read_table(files["lock_speeds.csv"], "speed_hz")]
     kicks = kick_rows(os.path.join(directory, "kicks.csv"))
     checks = check_rows(files["design_check.csv"])
+    names = names_of(files["design_check.csv"])
     limits = [row[2] for _, rows in probes for row in rows if row[2] is not None]
     return Picture(
         "design.gp",
@@ -42,8 +46,8 @@ def picture(given):
             "quiet": mark_lines([hz for hz, force in kicks if force is None], speed.factor),
             "locks": mark_lines(dict.fromkeys(locks), speed.factor),
             "labels.gp": [
-                *(f'probe_name_{i} = "{place}"' for i, (place, _) in enumerate(probes)),
-                *(f'stop_name_{i} = "{place}"' for i, (place, _) in enumerate(stops)),
+                *(f"probe_name_{i} = {gnuplot_text.quoted(names.get(place, place))}" for i, (place, _) in enumerate(probes)),
+                *(f"stop_name_{i} = {gnuplot_text.quoted(place)}" for i, (place, _) in enumerate(stops)),
                 f"limit = {1e6 * limits[0] if limits else 0:.17g}",
                 f"top_share = {top_share(stops):.17g}",
                 f"any_kicks = {any(force is not None for _, force in kicks):d}",
@@ -64,6 +68,16 @@ def curves(path):
         numbers = [tuple(csv_table.number(row, name) for name in ("speed_hz", "major_axis_m", "limit_m")) for row in of_place]
         found[place.split(" ")[0]].append((place, numbers))
     return found["probe"][:MOST_CURVES], found["stop"][:MOST_CURVES]
+
+
+def names_of(path):
+    """`probe 0 (drive end x)` of each probe whose sensors have names; tables of earlier versions have no names."""
+    return {row["place"]: f"{row['place']} ({shortened(row['name'])})" for row in csv_table.read_table(path, "check", "place")
+            if row["check"] == "vibration" and row.get("name")}
+
+
+def shortened(name):
+    return name if len(name) <= MOST_LETTERS else name[:MOST_LETTERS - 1] + "…"
 
 
 def check_rows(path):

@@ -53,6 +53,16 @@ TEST(CriticalMap, OnRigidBearingsABeamIsPinned) {
     EXPECT_NEAR(map[0].speed_hz[static_cast<std::size_t>(mode - 1)] / beam_hz(mode * pi), 1, 1e-5) << mode;
 }
 
+TEST(CriticalMap, RigidBearingsPinTheBeamOfAMachine) {
+  model::Machine machine;
+  machine.rotor = thin_shaft();
+  EXPECT_NEAR(rigid_critical_hz(machine).value() / beam_hz(pi), 1, 1e-5);
+  model::kit_of(machine)->supports.clear();
+  EXPECT_FALSE(rigid_critical_hz(machine));
+  machine.rotor = model::JeffcottRotor{.mass_kg = 2, .natural_frequency_hz = 40, .damping_ratio = 0.1};
+  EXPECT_EQ(rigid_critical_hz(machine), 40);
+}
+
 TEST(CriticalMap, OnSoftBearingsABeamIsFreeAndSwingsAsABody) {
   const double stiffness = 1;
   const auto map = critical_map(thin_shaft(), {}, std::vector{stiffness}, 4);

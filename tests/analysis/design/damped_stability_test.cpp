@@ -78,5 +78,14 @@ TEST(DampedStability, WhirlThatGrowsByItselfHasNoThreshold) {
   EXPECT_EQ(threshold_n_per_m(linear::free_rotor(machine), 100, 200, 0), 0.0);
 }
 
+/// Numbers of ROSS' api_report.py.
+TEST(DampedStability, TheRegionsPartAtALineOverTheDensity) {
+  EXPECT_EQ(region_limit(1), 2.5);
+  EXPECT_EQ(region_limit(16.53), 2.5);
+  EXPECT_NEAR(region_limit(16.54), 2.5, 3e-4) << "the line begins there";
+  EXPECT_NEAR(region_limit(60), 2, 1e-12);
+  EXPECT_EQ(region_limit(61), 0) << "always region B";
+}
+
 }  // namespace
 }  // namespace rubsweep::design

@@ -80,6 +80,23 @@ TEST(LateralTerms, VibrationBreaksItsLimitAlone) {
   expect_only(checked(scene::one_side_machine(), questions({50, 160}, 1e-5)), "vibration");
 }
 
+/// In passing its resonance the rotor fills the clearance.
+TEST(LateralTerms, AClearanceMayBeTooSmallBelowTheOperatingRangeAlone) {
+  model::Machine machine = scene::one_side_machine();
+  machine.stops[0].clearance_m = 1.5e-4;
+  expect_only(checked(machine, questions()), "clearance");
+}
+
+TEST(LateralTerms, FrictionBreaksTheMarginAgainstDryWhipAlone) {
+  model::Machine machine = scene::one_side_machine();
+  machine.stops[0].geometry = model::AnnularGeometry{};
+  machine.stops[0].casing.reset();
+  machine.stops[0].friction = model::NoFriction{};
+  EXPECT_EQ(answer_of(checked(machine, questions())), Answer::pass);
+  machine.stops[0].friction = model::ConstantFriction{0.3};
+  expect_only(checked(machine, questions()), "dry_whip");
+}
+
 /// Below the resonance the vibration still grows from the operating range up to trip speed.
 TEST(LateralTerms, AClearanceMayBeTooSmallAtTripSpeedAlone) {
   model::Machine machine = scene::one_side_machine();
@@ -114,6 +131,7 @@ const Term& term_of(const DesignCheck& check, const std::string& word) {
 
 TEST(LateralTerms, ABearingHasTheTagOfItsFileBesideItsNumber) {
   model::Machine machine = scene::light_shaft_machine();
+  model::kit_of(machine)->from_file = true;
   model::kit_of(machine)->supports[0].name = "BearingElement_Drive end, \"A\"";
   const DesignCheck check = checked(machine, questions({60, 100}));
   EXPECT_EQ(term_of(check, "bearing_force").name, "Drive end, \"A\"");
@@ -121,6 +139,34 @@ TEST(LateralTerms, ABearingHasTheTagOfItsFileBesideItsNumber) {
   const std::string table = tables_of(check).design_check_csv;
   EXPECT_NE(table.find("\nbearing_force,support 0,"), std::string::npos);
   EXPECT_NE(table.find(",\"Drive end, \"\"A\"\"\"\n"), std::string::npos) << table;
+}
+
+TEST(LateralTerms, AProbeHasTheNamesOfItsSensors) {
+  model::Machine machine = scene::light_shaft_machine();
+  model::kit_of(machine)->sensors = {{.position_m = 0.2, .name = "mid x"},
+                                     {.position_m = 0.2, .angle_deg = 90, .name = "mid y"}};
+  const DesignCheck check = checked(machine, questions({60, 100}));
+  EXPECT_EQ(term_of(check, "response").name, "mid x, mid y");
+  EXPECT_NE(design_page(check).find("  probe 0 (mid x, mid y) at 0.2 m: "), std::string::npos);
+  const std::string table = tables_of(check).design_check_csv;
+  EXPECT_NE(table.find("\nvibration,probe 0,"), std::string::npos);
+  EXPECT_NE(table.find(",\"mid x, mid y\"\n"), std::string::npos) << table;
+}
+
+/// The threshold is told with the region, in which Level II is asked for below ten times the coupling.
+TEST(LateralTerms, TheRegionOfLevelOneFollowsFromDensityAndRigidBearings) {
+  DesignQuestions asked = questions();
+  asked.stages = {{false, 1, 1, 1, 1}};
+  for (const Term& term : checked(scene::one_side_machine(), asked).lateral)
+    EXPECT_NE(term.check, "level_1_region") << "nobody asks";
+  asked.gas_density_kg_per_m3 = 40;
+  const Term region = term_of(checked(scene::one_side_machine(), asked), "level_1_region");
+  EXPECT_NEAR(region.value.value(), 160.0 / 30, 1e-12);
+  EXPECT_NEAR(region.limit.value(), 2.23, 1e-12);
+  EXPECT_EQ(region.name, "region B");
+  EXPECT_FALSE(region.met) << "no verdict, as Level II is computed in any case";
+  asked.operating = {31, 60};
+  EXPECT_EQ(term_of(checked(scene::one_side_machine(), asked), "level_1_region").name, "region A");
 }
 
 TEST(LateralTerms, ADecrementThatIsNotToldHasAReason) {

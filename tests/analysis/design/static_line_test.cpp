@@ -159,5 +159,18 @@ TEST(StaticLine, ASoftMountOfAHousingIsNoSeal) {
   for (std::size_t i : {0U, 1U}) EXPECT_NEAR(line.loads[i].load_n[1], held.loads[i].load_n[1], 1e-6);
 }
 
+/// Rounding may leave a finite solution of the singular equations.
+TEST(StaticLine, OneBearingBesideSealsHoldsNothing) {
+  model::RotorKit kit = uniform_shaft();
+  EXPECT_TRUE(static_line(kit, {}).holds);
+  for (const double place_m : {0.0, 0.37, 0.9}) {
+    kit.supports = {bearing_at(place_m), bearing_at(length_m)};
+    kit.supports[1].name = "Seal";
+    EXPECT_FALSE(static_line(kit, {}).holds) << place_m;
+  }
+  kit.supports[0].angular_stiffness_nm_per_rad = 1e5;
+  EXPECT_TRUE(static_line(kit, {}).holds) << "clamped";
+}
+
 }  // namespace
 }  // namespace rubsweep::design

@@ -78,10 +78,14 @@ TEST(UnbalanceResponse, ProbesAtOnePlaceAreOne) {
   EXPECT_EQ(probe_places(scene::prepare_machine(machine)).size(), 1u) << "the rotor itself";
   kit.sensors = {
       {.position_m = 0.1, .angle_deg = 0}, {.position_m = 0.1, .angle_deg = 90}, {.position_m = 0.3}};
+  kit.sensors[0].name = "DE x";
+  kit.sensors[1].name = "DE y";
   const auto places = probe_places(scene::prepare_machine(machine));
   ASSERT_EQ(places.size(), 2u);
   EXPECT_EQ(places[0].position_m, 0.1);
+  EXPECT_EQ(places[0].name, "DE x, DE y");
   EXPECT_EQ(places[1].position_m, 0.3);
+  EXPECT_EQ(places[1].name, "");
 }
 
 /// Compares mode shapes common to all speeds with a separate reduction for each speed.

@@ -4,12 +4,18 @@
 
 #include <array>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <optional>
+#include <vector>
 
+#include "core/scene/kit_machine.hpp"
 #include "maps/batch/read_csv.hpp"
 #include "maps/batch/temporary_directory.hpp"
 #include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/response/motion/classify.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/set_a_cell.hpp"
@@ -263,6 +269,59 @@ TEST(TraceRun, ThatFailsAtOnceHasItsStartOnly) {
   const TraceWindow window = last_window(trace, options, 1, workspace);
   EXPECT_EQ(window.turns, 0);
   EXPECT_TRUE(window.spectrum.amplitude_m.empty());
+}
+
+/// Position x + i y of a rotor that stands at rest in its unloaded position at t = 0, after each of `samples`
+/// intervals: classical Runge-Kutta in small fixed steps under unbalance, weight and a kick along +y.
+std::vector<std::complex<double>> from_rest(double hz, double speed_hz, const model::Kick& kick,
+                                            int samples) {
+  using Complex = std::complex<double>;
+  constexpr double pi = std::numbers::pi, mass_kg = 0.8, zeta = 0.02, eccentricity_m = 1e-4, gravity = 9.81;
+  constexpr int steps = 200;
+  const double w = 2 * pi * speed_hz, w0 = 2 * pi * hz, h = 1 / (20 * speed_hz * steps);
+  const auto acceleration = [&](double t, Complex z, Complex v) {
+    const double force_n = t < kick.duration_s ? kick.force_n * std::sin(pi * t / kick.duration_s) : 0;
+    return eccentricity_m * w * w * std::polar(1.0, w * t) + Complex(0, force_n / mass_kg - gravity) -
+           2 * zeta * w0 * v - w0 * w0 * z;
+  };
+  std::vector<Complex> found{0};
+  Complex z = 0, v = 0;
+  for (int k = 0; k < samples * steps; ++k) {
+    const double t = k * h;
+    const Complex a1 = acceleration(t, z, v), v2 = v + h / 2 * a1,
+                  a2 = acceleration(t + h / 2, z + h / 2 * v, v2), v3 = v + h / 2 * a2,
+                  a3 = acceleration(t + h / 2, z + h / 2 * v2, v3), v4 = v + h * a3,
+                  a4 = acceleration(t + h, z + h * v3, v4);
+    z += h / 6 * (v + 2.0 * v2 + 2.0 * v3 + v4);
+    v += h / 6 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+    if ((k + 1) % steps == 0) found.push_back(z);
+  }
+  return found;
+}
+
+TEST(TraceRun, FromRestUnbalanceWeightAndKickActAtOnce) {
+  for (model::Machine machine : {scene::one_side_machine(), scene::light_shaft_machine()}) {
+    machine.stops[0].clearance_m = 1;
+    machine.gravity_m_per_s2 = 9.81;
+    machine.start = {.at_rest = true};
+    const scene::PreparedMachine prepared = scene::prepare_machine(machine);
+    const double hz = prepared.reduction ? prepared.reduction->frequency_hz[0](0) : 30.0;
+    const scene::Cell cell = scene::build_cell(prepared, 40, scene::Eccentricity{1e-4});
+    const auto expected = from_rest(hz, 40, *machine.kick, 5 * 20);
+    for (const integrate::run::SolverOptions& solver :
+         {integrate::run::SolverOptions{}, integrate::run::SolverOptions{.relative_tolerance = 1e-11}}) {
+      integrate::exact::modes::ModeCache modes;
+      const bool exact = solver.relative_tolerance != 1e-11;
+      const Trace trace = trace_run(exact ? integrate::start(cell.scene, solver, modes).advance
+                                          : integrate::adaptive::start_adaptive(cell.scene, solver),
+                                    cell.scene, solver, options_for({.speed_hz = 40}, 5));
+      ASSERT_EQ(trace.trajectory.size(), 100u);
+      for (std::size_t k = 0; k < trace.trajectory.size(); ++k) {
+        const Eigen::Vector2d& at = trace.trajectory[k].state.displacement_m;
+        EXPECT_NEAR(std::abs(std::complex<double>(at.x(), at.y()) - expected[k]), 0, 1e-9) << k << exact;
+      }
+    }
+  }
 }
 
 }  // namespace

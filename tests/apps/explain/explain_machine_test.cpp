@@ -74,6 +74,10 @@ TEST(ExplainMachine, RigidCasingHasNoState) {
   EXPECT_TRUE(says(text, "kick: none\n"));
   machine.start.emplace();
   EXPECT_TRUE(says(explain_machine(machine, 45), "start: in a given state, not kicked"));
+  machine.start->at_rest = true;
+  EXPECT_TRUE(says(explain_machine(machine, 45), "weight act from then on\nkick: none\n"));
+  machine.kick = model::Kick{30, 0.01, {}};
+  EXPECT_TRUE(says(explain_machine(machine, 45), "weight act from then on\nkick: half-sine, 30 N"));
   EXPECT_FALSE(says(text, "left out: gravity"));
   EXPECT_TRUE(says(text, "left out: friction (no stop has any)\n"));
 }

@@ -38,6 +38,20 @@ TEST(ExplainRotorExplainMatrices, SaysWhatIsSymmetricAndWhatIsNot) {
   EXPECT_NE(explained(book).find("but for 28 degrees of freedom without any"), std::string::npos);
 }
 
+TEST(ExplainRotor, NamesWhatHasAName) {
+  model::Machine machine = scene::light_shaft_machine();
+  model::RotorKit& kit = *model::kit_of(machine);
+  const auto text = [&] { return explain_rotor(scene::prepare_machine(machine), false); };
+  EXPECT_EQ(text().find("discs: "), std::string::npos);
+  kit.discs[0].name = "Impeller";
+  kit.supports[1].name = "Free end";
+  kit.sensors = {{.position_m = 0.1, .name = "DE x"}, {.position_m = 0.1, .angle_deg = 90}};
+  EXPECT_NE(text().find("  discs: 0 (Impeller) at 0.2 m\n  supports: 1 (Free end) at 0.4 m\n"
+                        "  sensors: 0 (DE x) at 0.1 m\n"),
+            std::string::npos)
+      << text();
+}
+
 TEST(ExplainRotorExplainTables, ShowsTheCoefficientsAtTheSpeedsOfTheSweep) {
   const std::string text = explain_tables(scene::table_machine(), {80, 40, 55});
   EXPECT_NE(text.find("support 1 at 0.4 m: table of 5 speeds from 20 to 120 Hz (1200 to 7200 rpm)"),

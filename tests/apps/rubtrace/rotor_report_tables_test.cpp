@@ -52,17 +52,22 @@ TEST(RotorReportTables, AShapeBetweenNodesIsTheCubicThroughThem) {
 TEST(RotorReportTables, PartsHaveTheNamesOfTheirFileOrTheirNumbers) {
   model::Machine machine = scene::light_shaft_machine();
   model::RotorKit& kit = *model::kit_of(machine);
+  kit.from_file = true;
   kit.supports[0].name = "BearingElement_Drive end, left";
   kit.supports.push_back(kit.supports[1]);
   kit.supports[2].name = "SealElement_Labyrinth_2";
   kit.supports[2].position_m = 0.1;
-  EXPECT_EQ(support_name(kit, 0), "Drive end, left");
-  EXPECT_EQ(support_name(kit, 1), "support 1");
+  kit.sensors = {{.position_m = 0.1, .name = "DE x"}};
+  EXPECT_EQ(support_label(kit, 0), "Drive end, left");
+  EXPECT_EQ(support_label(kit, 1), "support 1");
   const std::string parts = rotor_parts_csv(machine);
-  for (const char* row : {"layer,shaft 0,0,0.4,0,0.01,0,0.01,,,\n", "disc,disc 0,0.2,,,,,,0.8,4e-04,\n",
-                          "bearing,\"Drive end, left\",0,,,,,,,,\n", "bearing,support 1,0.4,,,,,,,,\n",
-                          "seal,Labyrinth_2,0.1,,,,,,,,\n", "stop,stop 0,0.2,,,,,,,,\n"})
+  for (const char* row :
+       {"layer,shaft 0,0,0.4,0,0.01,0,0.01,,,\n", "disc,disc 0,0.2,,,,,,0.8,4e-04,\n",
+        "bearing,\"Drive end, left\",0,,,,,,,,\n", "bearing,support 1,0.4,,,,,,,,\n",
+        "seal,Labyrinth_2,0.1,,,,,,,,\n", "stop,stop 0,0.2,,,,,,,,\n", "probe,DE x,0.1,,,,,,,,0\n"})
     EXPECT_NE(parts.find(row), std::string::npos) << row << parts;
+  kit.discs[0].name = "Impeller";
+  EXPECT_NE(rotor_parts_csv(machine).find("disc,Impeller,0.2,"), std::string::npos);
 }
 
 TEST(RotorReportTables, BearingsWithoutATableHaveOneStiffness) {
@@ -76,7 +81,7 @@ TEST(RotorReportTables, BearingsWithoutATableHaveOneStiffness) {
 }
 
 TEST(RotorReportTables, WithoutForcesTheirCellsAreEmpty) {
-  design::StaticLine line{{0, 1}, {Eigen::Vector2d(0, 0), Eigen::Vector2d(-1e-5, -2e-5)}, {}, {}};
+  design::StaticLine line{true, {0, 1}, {Eigen::Vector2d(0, 0), Eigen::Vector2d(-1e-5, -2e-5)}, {}, {}};
   EXPECT_EQ(static_line_csv(line),
             "position_m,deflection_x_m,deflection_y_m,shear_x_n,shear_y_n,moment_x_nm,moment_y_nm\n"
             "0,0,-1e-05,,,,\n1,0,-2e-05,,,,\n");

@@ -93,7 +93,13 @@ TEST(MachineValidate, WhatAStartMayBe) {
     };
   };
   const std::vector<Case> cases{
-      {[](Machine& m) { m.start.emplace(); }, "start: is given beside a kick, allowed: one of the two"},
+      {[](Machine& m) { m.start.emplace(); },
+       "start: is given beside a kick, allowed: one of the two, or rest"},
+      {[](Machine& m) {
+         m.start = {.at_rest = true};
+         m.kick->phase_deg = 90;
+       },
+       "kick.phase_deg: is given beside start: rest, where no gap is smallest, allowed: nothing"},
       {started([](Start& s) { s.rotor.x_m = 101; }),
        "start.x_m: 101 is out of range, allowed: a number >= -100 and <= 100"},
       {started([](Start& s) { s.casings = {BodyState{.vy_m_per_s = infinity}}; }),
@@ -104,6 +110,13 @@ TEST(MachineValidate, WhatAStartMayBe) {
        "start.casings.1: there is no such casing, or it is rigid, allowed: a casing that moves"},
   };
   for (const Case& c : cases) EXPECT_EQ(message_after(c.change), c.message);
+}
+
+TEST(MachineValidate, AKickMayStandBesideRest) {
+  Machine machine = valid_machine();
+  ASSERT_TRUE(machine.kick);
+  machine.start = {.at_rest = true};
+  EXPECT_NO_THROW(validate(machine));
 }
 
 TEST(MachineValidate, NamesEveryNumberOutOfRange) {

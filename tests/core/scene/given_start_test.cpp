@@ -100,6 +100,19 @@ TEST(GivenStart, AtRestEverythingStandsAndTheMarkIsAlongX) {
   }
 }
 
+/// Even where the quiet motion would touch, which takes the kick away from other starts.
+TEST(GivenStart, AtRestAKickActsFromTheFirstInstant) {
+  for (model::Machine machine : {one_side_machine(), light_shaft_machine()}) {
+    machine.start = {.at_rest = true};
+    for (const double whirl_ratio : {0.4, 1.7}) {
+      const Cell cell = build_cell(machine, 75, WhirlRatio{whirl_ratio});
+      EXPECT_TRUE(cell.scene.displacement_m.isZero(0));
+      ASSERT_EQ(cell.scene.pulses.size(), 1u);
+      EXPECT_EQ(cell.scene.pulses[0].elapsed_s, 0);
+    }
+  }
+}
+
 TEST(GivenStart, ExcludesAKickAndARigidCasing) {
   model::Machine machine = one_side_machine();
   machine.start.emplace();

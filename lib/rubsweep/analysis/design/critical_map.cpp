@@ -1,10 +1,13 @@
 #include "rubsweep/analysis/design/critical_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numbers>
+#include <variant>
 
 #include "rubsweep/analysis/design/static_line.hpp"
+#include "rubsweep/core/error.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
 #include "rubsweep/core/structure/lateral_system.hpp"
 
@@ -53,6 +56,24 @@ std::vector<CriticalSpeedsAt> critical_map(const model::RotorKit& kit, const std
     for (const double rad_per_s : found.rad_per_s) at.speed_hz.push_back(rad_per_s / (2 * std::numbers::pi));
   }
   return map;
+}
+
+std::optional<double> rigid_critical_hz(const model::Machine& machine) try {
+  const model::RotorKit* kit = model::kit_of(machine);
+  if (kit == nullptr) return std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz;
+  // Bearings are rigid from where a tenfold stiffness changes nothing.
+  constexpr double same = 1e-6, softest = 1e4, stiffest = 1e17;
+  double last_hz = 0;
+  for (double stiffness = softest; stiffness < stiffest; stiffness *= 10) {
+    const auto map = critical_map(*kit, stop_stations_m(machine), std::array{stiffness}, 1);
+    if (map.empty() || map.front().speed_hz.empty()) return std::nullopt;
+    const double hz = map.front().speed_hz.front();
+    if (hz - last_hz <= same * hz) return hz;
+    last_hz = hz;
+  }
+  return std::nullopt;
+} catch (const ConfigError&) {
+  return std::nullopt;  // of matrices, or beyond the rounding of the shaft
 }
 
 }  // namespace rubsweep::design

@@ -59,6 +59,12 @@ double cross_coupling_n_per_m(const Stage& stage, double speed_hz) {
          (2 * pi * speed_hz * stage.diameter_m * stage.width_m);
 }
 
+double region_limit(double gas_density_kg_per_m3) {
+  constexpr double light_gas = 16.53, heavy_gas = 60;
+  if (gas_density_kg_per_m3 <= light_gas) return 2.5;
+  return gas_density_kg_per_m3 <= heavy_gas ? 2.69 - 0.0115 * gas_density_kg_per_m3 : 0;
+}
+
 std::optional<Decrement> first_forward(const linear::FreeRotor& rotor, std::span<const double> speeds_hz,
                                        double up_to_hz, Eigen::Index place, double coupling_n_per_m) {
   linear::FreeRotor coupled = rotor;

@@ -22,6 +22,11 @@ struct Stage {
 /// width), with the speed in rad/s. B is 3 for an impeller (Wachel) and 1.5 for blades (Alford).
 double cross_coupling_n_per_m(const Stage& stage, double speed_hz);
 
+/// Critical speed ratio above which a rotor is in region B of Level I of API 617, where a threshold below ten
+/// times the coupling asks for Level II. `gas_density_kg_per_m3`: mean of suction and discharge. The line is
+/// the one that ROSS draws (api_report.py); the standard itself was not at hand.
+double region_limit(double gas_density_kg_per_m3);
+
 /// Logarithmic decrement of the first forward whirl at a speed. Whirl above half of critical damping is
 /// omitted.
 struct Decrement {
@@ -36,8 +41,8 @@ std::optional<Decrement> first_forward(const linear::FreeRotor& rotor, std::span
                                        double up_to_hz, Eigen::Index place = 0, double coupling_n_per_m = 0);
 
 /// Decrements of the first forward whirl at one speed, one for each of these couplings, which ascend. The
-/// whirl without coupling is followed as the coupling grows. There are fewer where it is lost, and none where no
-/// whirl below `up_to_hz` is forward.
+/// whirl without coupling is followed as the coupling grows. There are fewer where it is lost, and none where
+/// no whirl below `up_to_hz` is forward.
 std::vector<Decrement> over_coupling(const linear::FreeRotor& rotor, double speed_hz, double up_to_hz,
                                      Eigen::Index place, std::span<const double> couplings_n_per_m);
 

@@ -43,7 +43,7 @@ std::vector<ProbeResponse> probe_responses(const scene::PreparedMachine& prepare
     const auto axis_m = [&](double hz) {
       return eccentricity_m * response.major_axis(hz, response.rotor().place(place.position_m));
     };
-    probes.push_back({place.position_m, largest_over_speed(speeds_hz, axis_m)});
+    probes.push_back({place.position_m, largest_over_speed(speeds_hz, axis_m), place.name});
   }
   return probes;
 }
@@ -253,9 +253,9 @@ DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine
     if (check.operating.contains(lock.speed_hz)) check.locks.push_back(lock);
   add_trip_clearances(prepared, response, check);
   std::ranges::move(
-      lateral_terms(prepared,
-                    {check.operating, check.whole, check.eccentricity_m, check.scale, check.vibration_limit_m,
-                     critical, check.whole_growth.growth_per_s > 0, questions.stages, check.decays_to_hz}),
+      lateral_terms(prepared, {check.operating, check.whole, check.eccentricity_m, check.scale,
+                               check.vibration_limit_m, critical, check.whole_growth.growth_per_s > 0,
+                               questions.stages, check.decays_to_hz, questions.gas_density_kg_per_m3}),
       std::back_inserter(check.lateral));
   try_kicks(study, prepared, questions, check);
   return check;

@@ -61,12 +61,14 @@ struct DesignQuestions {
   int kick_speeds = 11;  ///< evenly spaced speeds, in addition to the lock speeds; 0: no kicks
   int threads = 1;       ///< number of threads as in batch::parallel_run
   std::optional<std::vector<Stage>> stages = {};  ///< see LateralQuestions
+  std::optional<double> gas_density_kg_per_m3 = {};
 };
 
 /// Largest response of one probe in the operating range, before scaling.
 struct ProbeResponse {
   std::optional<double> position_m;  ///< place along the shaft; empty for a Jeffcott rotor
   Largest major_axis_m;              ///< full length of the major axis
+  std::string name = {};             ///< names of the sensors; may be empty
 };
 
 /// Margin against dry whip in one stop.

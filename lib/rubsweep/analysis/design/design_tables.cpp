@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rubsweep/analysis/linear/campbell_tables.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 
@@ -16,6 +17,7 @@ namespace rubsweep::design {
 namespace {
 
 using batch::csv_number;
+using model::in_brackets;
 
 std::string_view verdict(bool met) { return met ? "ok" : "NOT MET"; }
 
@@ -66,7 +68,7 @@ std::string vibration_lines(const DesignCheck& check, const Lengths& length) {
   text += fmt::format("unbalance eccentricity {}\n", length(check.eccentricity_m));
   for (std::size_t k = 0; k < check.probes.size(); ++k) {
     const ProbeResponse& probe = check.probes[k];
-    text += fmt::format("  probe {}{}: {} at {}: {}\n", k, at(probe.position_m),
+    text += fmt::format("  probe {}{}{}: {} at {}: {}\n", k, in_brackets(probe.name), at(probe.position_m),
                         length(probe.major_axis_m.value), speed(probe.major_axis_m.speed_hz),
                         if_lasting(probe.major_axis_m.value <= check.vibration_limit_m, check.growth));
   }
@@ -161,7 +163,7 @@ std::string name_of(const Term& term) {
   std::string name = term.check;
   std::ranges::replace(name, '_', ' ');
   if (!term.place.empty()) name += ", " + term.place;
-  if (!term.name.empty()) name += " (" + term.name + ")";
+  name += in_brackets(term.name);
   return term.speed_hz ? name + " at " + speed(*term.speed_hz) : name;
 }
 

@@ -39,7 +39,7 @@ std::vector<Term> terms_of(const DesignCheck& check) {
     const double margin = 1 - probe.major_axis_m.value / check.vibration_limit_m;
     terms.push_back({"vibration", fmt::format("probe {}", k), probe.position_m, probe.major_axis_m.speed_hz,
                      probe.major_axis_m.value, check.vibration_limit_m, "m", margin,
-                     if_lasting(margin >= 0, check.growth)});
+                     if_lasting(margin >= 0, check.growth), {}, probe.name});
   }
   for (const ClearanceMargin& one : check.clearances) {
     terms.push_back(clearance_term("clearance", one));

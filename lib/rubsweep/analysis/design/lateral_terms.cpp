@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "rubsweep/analysis/design/critical_map.hpp"
 #include "rubsweep/analysis/design/separation.hpp"
 #include "rubsweep/analysis/design/static_line.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 
@@ -38,12 +40,6 @@ void add_resonance(const Resonance& peak, const SpeedRange& operating, const std
   terms.push_back(std::move(term));
 }
 
-/// Tag of an element in a file of another program, which puts it behind the class of the element.
-std::string tag_of(const std::string& name) {
-  const std::size_t underscore = name.find('_');
-  return underscore == std::string::npos ? name : name.substr(underscore + 1);
-}
-
 void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rotor,
                    const LateralQuestions& asked, std::vector<Term>& terms) {
   const std::vector<UnbalanceCase> cases = rotor.cases(asked.eccentricity_m, asked.whole.to_hz);
@@ -59,6 +55,7 @@ void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rot
   for (std::size_t number = 0; number < cases.size(); ++number) {
     for (std::size_t k = 0; k < probes.size(); ++k) {
       const Index place = rotor.place(probes[k].position_m);
+      const std::size_t before = terms.size();
       const std::string name = fmt::format("{} at probe {}", cases[number].name, k);
       const auto axis_m = [&](double hz) {
         return responses.major_axis(hz, place, static_cast<Index>(number));
@@ -71,6 +68,7 @@ void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rot
       }
       for (const Resonance& peak : resonances(speeds_hz, axis_m))
         add_resonance(peak, asked.operating, name, probes[k].position_m, terms);
+      for (std::size_t i = before; i < terms.size(); ++i) terms[i].name = probes[k].name;
     }
   }
   if (to_hz < highest_hz) {
@@ -100,7 +98,7 @@ void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rot
                      largest.value,
                      {},
                      "N"});
-    terms.back().name = tag_of(model::kit_of(prepared.machine)->supports[bearing.support].name);
+    terms.back().name = model::support_name(*model::kit_of(prepared.machine), bearing.support);
   }
 }
 
@@ -121,15 +119,11 @@ Term decrement_term(std::string check, const std::optional<Decrement>& found) {
 }
 
 /// The machine without its seals; unchanged where no bearing would remain.
-model::Machine without_seals(const model::Machine& machine) {
+model::Machine bare_machine(const model::Machine& machine) {
   model::Machine bare = machine;
-  model::RotorKit* kit = model::kit_of(bare);
-  if (kit == nullptr) return bare;
-  const model::RotorKit whole = *kit;
-  kit->supports.clear();
-  for (std::size_t i = 0; i < whole.supports.size(); ++i)
-    if (whole.supports[i].at_housing || !is_seal(whole, i)) kit->supports.push_back(whole.supports[i]);
-  return kit->supports.empty() ? machine : bare;
+  if (model::RotorKit* kit = model::kit_of(bare)) *kit = without_seals(*kit);
+  const model::RotorKit* kit = model::kit_of(bare);
+  return kit != nullptr && kit->supports.empty() ? machine : bare;
 }
 
 /// Removes the verdict of a failed Level I, because Level II then decides.
@@ -158,6 +152,21 @@ Term threshold_term(const linear::FreeRotor& rotor, double speed_hz, double up_t
   return no_verdict_if_failed(std::move(term));
 }
 
+/// Region A or B of Level I, without a verdict: Level II is computed in either.
+Term region_term(const model::Machine& machine, double speed_hz, double gas_density_kg_per_m3) {
+  Term term{"level_1_region", "", {}, speed_hz};
+  const std::optional<double> rigid_hz = rigid_critical_hz(machine);
+  if (!rigid_hz) {
+    term.not_told = "the rotor has no critical speed on rigid bearings";
+    return term;
+  }
+  term.value = speed_hz / *rigid_hz;
+  term.limit = region_limit(gas_density_kg_per_m3);
+  term.unit = "1";
+  term.name = *term.value > *term.limit ? "region B" : "region A";
+  return term;
+}
+
 void add_stability(const WholeRotor& rotor, const model::Machine& machine, const LateralQuestions& asked,
                    std::vector<Term>& terms) {
   constexpr int decrement_speeds = 11;
@@ -175,7 +184,7 @@ void add_stability(const WholeRotor& rotor, const model::Machine& machine, const
     term.not_told = "no --stage says which power drives cross-coupling, or --stage none that none does";
     terms.push_back(std::move(term));
   } else if (coupling > 0) {
-    const linear::FreeRotor level_one = linear::free_rotor(without_seals(machine));
+    const linear::FreeRotor level_one = linear::free_rotor(bare_machine(machine));
     terms.push_back({"cross_coupling", "", position_m, speed_hz, coupling, {}, "N/m"});
     Term first = decrement_term("level_1",
                                 first_forward(level_one, std::vector{speed_hz}, up_to_hz, midspan, coupling));
@@ -183,6 +192,8 @@ void add_stability(const WholeRotor& rotor, const model::Machine& machine, const
     terms.push_back(no_verdict_if_failed(std::move(first)));
     terms.push_back(threshold_term(level_one, speed_hz, up_to_hz, midspan, coupling));
     terms.back().position_m = position_m;
+    if (asked.gas_density_kg_per_m3)
+      terms.push_back(region_term(machine, speed_hz, *asked.gas_density_kg_per_m3));
   }
   const std::vector<double> speeds_hz =
       batch::evenly_spaced(asked.operating.from_hz, asked.operating.to_hz, decrement_speeds);

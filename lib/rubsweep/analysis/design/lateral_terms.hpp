@@ -39,6 +39,7 @@ struct LateralQuestions {
   std::optional<std::vector<Stage>> stages;  ///< empty: not said; none: the rotor does no work
   std::optional<double> decays_to_hz =
       {};  ///< beyond it and beyond `whole` some vibration grows; empty: none
+  std::optional<double> gas_density_kg_per_m3 = {};  ///< see region_limit; empty: no region is told
 };
 
 /// Highest speeds at which API 617 considers the response and the clearances, as shares of the maximum

@@ -126,6 +126,14 @@ std::vector<std::size_t> bearings_of(const model::RotorKit& kit) {
   return bearings;
 }
 
+model::RotorKit without_seals(model::RotorKit kit) {
+  const model::RotorKit whole = kit;
+  kit.supports.clear();
+  for (std::size_t i = 0; i < whole.supports.size(); ++i)
+    if (!is_seal(whole, i)) kit.supports.push_back(whole.supports[i]);
+  return kit;
+}
+
 std::vector<double> stop_stations_m(const model::Machine& machine) {
   std::vector<double> stations_m;
   for (const model::Stop& stop : machine.stops) stations_m.push_back(*stop.position_m);
@@ -135,7 +143,9 @@ std::vector<double> stop_stations_m(const model::Machine& machine) {
 StaticLine static_line(const model::RotorKit& kit, const std::vector<double>& stations_m,
                        double gravity_m_per_s2) {
   const BeamShaft shaft = structure::assemble_beam_shaft(kit, stations_m);
-  StaticLine line{shaft.node_position_m, {}, {}, {}};
+  const model::RotorKit bare = without_seals(kit);
+  StaticLine line{
+      kit.matrices || (supports_hold(bare, 0) && supports_hold(bare, 1)), shaft.node_position_m, {}, {}, {}};
   for (const std::size_t bearing : bearings_of(kit)) line.loads.push_back({bearing, {}});
   std::vector<std::optional<Piece>> pieces;
   if (!kit.matrices) {
@@ -148,6 +158,7 @@ StaticLine static_line(const model::RotorKit& kit, const std::vector<double>& st
     for (const model::StaticLoad& load : kit.static_loads)
       loads_n(shaft.deflection(load.position_m)) += plane == 0 ? load.force_x_n : load.force_y_n;
     const Eigen::VectorXd sag = sag_of(shaft, kit, plane, loads_n);
+    line.holds = line.holds && sag.allFinite();
     line.deflection_m[plane] = sag(Eigen::seqN(0, static_cast<Index>(line.position_m.size()), 2));
     for (BearingLoad& bearing : line.loads)
       bearing.load_n[plane] = stiffness_of(kit.supports[bearing.support], plane) *

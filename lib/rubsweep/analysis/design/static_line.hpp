@@ -20,6 +20,9 @@ bool is_seal(const model::RotorKit& kit, std::size_t support);
 /// Indices of the supports that hold the shaft, seals left out, by position.
 std::vector<std::size_t> bearings_of(const model::RotorKit& kit);
 
+/// The kit without its seals.
+model::RotorKit without_seals(model::RotorKit kit);
+
 /// Stations of the stops of a machine, which are nodes of its shaft.
 std::vector<double> stop_stations_m(const model::Machine& machine);
 
@@ -40,6 +43,9 @@ struct Section {
 /// Shaft at rest under its weight along -y and constant loads, on its bearings alone, since seals run where
 /// the rotor stands. Entries are for the planes of x and y; cross-coupling is left out.
 struct StaticLine {
+  /// Whether the bearings alone hold the shaft. If not, there is no equilibrium, and no number means
+  /// anything.
+  bool holds = true;
   std::vector<double> position_m;                ///< nodes, ascending
   std::array<Eigen::VectorXd, 2> deflection_m;   ///< at the nodes
   std::vector<BearingLoad> loads;                ///< in the order of bearings_of
@@ -48,7 +54,7 @@ struct StaticLine {
 };
 
 /// Static line of a kit with these stations among its nodes. Supports with tables have the coefficients in
-/// the kit. Numbers are not finite where the bearings do not hold the shaft.
+/// the kit.
 StaticLine static_line(const model::RotorKit& kit, const std::vector<double>& stations_m,
                        double gravity_m_per_s2 = standard_gravity_m_per_s2);
 

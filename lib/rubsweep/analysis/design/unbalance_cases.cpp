@@ -8,8 +8,8 @@
 #include "rubsweep/analysis/design/static_line.hpp"
 #include "rubsweep/analysis/design/unbalance_response.hpp"
 #include "rubsweep/core/model/balance.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
-#include "rubsweep/core/model/support_path.hpp"
 #include "rubsweep/core/numerics/banded_system.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
@@ -102,10 +102,13 @@ void WholeRotor::add_shaft(const model::RotorKit& kit) {
   if (modes.shape.cols() > 1) second_ = modes.shape.col(1)(Eigen::seqN(0, places, 2));
   model::RotorKit without_loads = kit;
   without_loads.static_loads.clear();
-  for (const BearingLoad& load : static_line(without_loads, stations_m).loads) {
+  const StaticLine line = static_line(without_loads, stations_m);
+  const double equal_n = standard_gravity_m_per_s2 * mass_kg_.sum() /
+                         static_cast<double>(std::max<std::size_t>(line.loads.size(), 1));
+  for (const BearingLoad& load : line.loads) {
     const Eigen::VectorXd gap = structure::support_gap(shaft, kit, load.support);
-    bearings_.push_back({load.support, kit.supports[load.support].position_m, -load.load_n[1],
-                         in_plane(gap, 0), in_plane(gap, 1)});
+    bearings_.push_back({load.support, kit.supports[load.support].position_m,
+                         line.holds ? -load.load_n[1] : equal_n, in_plane(gap, 0), in_plane(gap, 1)});
   }
   if (!bearings_.empty()) weigh_overhangs(kit);
 }

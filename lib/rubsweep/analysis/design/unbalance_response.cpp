@@ -86,9 +86,11 @@ std::vector<WatchedPlace> probe_places(const scene::PreparedMachine& prepared) {
   const std::vector<model::Sensor>& sensors = model::kit_of(prepared.machine)->sensors;
   std::vector<WatchedPlace> places;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
-    const bool known = std::ranges::any_of(
-        places, [&](const auto& place) { return place.position_m == sensors[i].position_m; });
-    if (!known) places.push_back({sensors[i].position_m, point_of(prepared, assembly.sensor_points[i]).map});
+    auto place = std::ranges::find(places, sensors[i].position_m, &WatchedPlace::position_m);
+    if (place == places.end())
+      place =
+          places.insert(place, {sensors[i].position_m, point_of(prepared, assembly.sensor_points[i]).map});
+    place->name += (place->name.empty() || sensors[i].name.empty() ? "" : ", ") + sensors[i].name;
   }
   return places;
 }

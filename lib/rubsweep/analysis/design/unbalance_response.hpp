@@ -49,6 +49,7 @@ double major_axis(const Eigen::Vector2cd& amplitude);
 struct WatchedPlace {
   std::optional<double> position_m;  ///< place along the shaft; empty for a Jeffcott rotor
   contact::RelativeMap map;          ///< 2 x n: displacement in x and y = map * q, in metres
+  std::string name = {};             ///< names of the sensors there; may be empty
 };
 
 /// Places of the probes, one for each position that has sensors; the rotor itself where there are no sensors.

@@ -68,7 +68,11 @@ void validate(const Start& start, const Machine& machine) {
       throw ConfigError(path + ": there is no such casing, or it is rigid, allowed: a casing that moves");
     BodyState::visit_fields(*start.casings[i], requiring(path + "."));
   }
-  if (machine.kick) throw ConfigError("start: is given beside a kick, allowed: one of the two");
+  if (machine.kick && !start.at_rest)
+    throw ConfigError("start: is given beside a kick, allowed: one of the two, or rest");
+  if (machine.kick && machine.kick->phase_deg)
+    throw ConfigError(
+        "kick.phase_deg: is given beside start: rest, where no gap is smallest, allowed: nothing");
 }
 
 /// Checks a position along the shaft: a rotor kit has one, a Jeffcott rotor must not.

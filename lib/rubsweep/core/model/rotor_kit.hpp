@@ -30,6 +30,7 @@ struct Disc {
   double eccentricity_phase_deg = 0;
   double skew_rad_per_m = 0;
   double skew_phase_deg = 0;
+  std::string name = {};  ///< name or tag in its source file; for messages, tables and figures
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, key(not_negative, "place along the shaft"));
@@ -56,6 +57,7 @@ struct PointMass {
   double position_m = required;
   double mass_kg = required;
   std::optional<double> mass_y_kg = std::nullopt;  ///< mass that moves in y, if different from that in x
+  std::string name = {};                           ///< as of a disc
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, key(not_negative, "place along the shaft"));
@@ -69,6 +71,7 @@ struct PointMass {
 struct Housing {
   double mass_kg = required;
   std::optional<double> mass_y_kg = std::nullopt;
+  std::string name = {};  ///< as of a disc
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("mass_kg", self.mass_kg, key(physical::moving_mass_kg, "mass"));
@@ -182,6 +185,7 @@ struct Torsion {
 struct Sensor {
   double position_m = required;
   double angle_deg = 0;
+  std::string name = {};  ///< as of a disc
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, key(not_negative, "place along the shaft"));
@@ -194,6 +198,8 @@ struct Sensor {
 /// they include. Matrices exclude a bow and torsion; stops, sensors, loads and supports must be at their
 /// nodes.
 struct RotorKit {
+  /// Whether the elements come from a file of another program: their names are then keys of that file.
+  bool from_file = false;
   std::shared_ptr<const ShaftMatrices> matrices;
   std::vector<ShaftSegment> shaft;
   std::vector<Disc> discs;

@@ -215,13 +215,13 @@ Twist twist_of(const PreparedMachine& prepared, double eccentricity_m, std::comp
   return twist;
 }
 
-void start_on_quiet_motion(Cell& cell) {
+void start_on_quiet_motion(Cell& cell, bool from_rest) {
   Scene& scene = cell.scene;
   const double w = scene.speed_rad_per_s;
   cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n, scene.second_harmonic_n);
   scene.displacement_m = cell.quiet.displacement(0);
   scene.velocity_m_per_s = w * cell.quiet.velocity(0);
-  if (touches_anywhere(cell)) start_at_rest(cell);
+  if (!from_rest && touches_anywhere(cell)) start_at_rest(cell);
 }
 
 }  // namespace
@@ -279,7 +279,7 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
     scene.twist = twist_of(prepared, cell.eccentricity_m, phase * phase_of_kick(prepared.machine));
   scene.harmonic_n *= phase_of_kick(prepared.machine);
   scene.second_harmonic_n *= phase_of_kick(prepared.machine) * phase_of_kick(prepared.machine);
-  start_on_quiet_motion(cell);
+  start_on_quiet_motion(cell, model::begins_at_rest(prepared.machine.start));
   start_in_given_state(scene, prepared);
   return cell;
 }

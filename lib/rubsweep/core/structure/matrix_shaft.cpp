@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/model/support_path.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/structure/matrix_problems.hpp"
 
 namespace rubsweep::structure {

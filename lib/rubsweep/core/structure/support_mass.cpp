@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/model/support_path.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/core/numerics/dense/factors.hpp"
 

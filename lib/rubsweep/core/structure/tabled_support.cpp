@@ -9,7 +9,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
-#include "rubsweep/core/model/support_path.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 
 namespace rubsweep::structure {
 namespace {

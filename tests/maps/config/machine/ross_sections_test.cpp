@@ -166,6 +166,13 @@ TEST(RossSectionsRossSettings, SealsMayCarryMassAway) {
   EXPECT_EQ(kit.supports[1].mass_y_kg, -0.4);
 }
 
+TEST(RossSectionsRossSettings, DiscsAndMassesKeepTheirTags) {
+  const model::RotorKit kit = setting_files.kit(small_ross() + "[\"PointMass_Nut_1\"]\nn = 2\nm = 0.3\n");
+  EXPECT_TRUE(kit.from_file);
+  EXPECT_EQ(kit.discs.at(0).name, "Disk 0");
+  EXPECT_EQ(kit.point_masses.at(0).name, "Nut_1");
+}
+
 /// Messages about a bearing use its name from the file.
 TEST(RossSectionsRossSettings, BearingsKeepTheirNames) {
   const std::string table = replaced(small_ross(), "kxx = [2e6]", "kxx = [2e6, 3e6]\nspeed = [600, 900]");

@@ -92,6 +92,21 @@ TEST(RotorKit, ASupportMayHaveAName) {
   }
 }
 
+TEST(RotorKit, DiscsAndSensorsMayHaveNames) {
+  const RunConfig config =
+      read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml",
+                           {"rotor.discs.0.name=Coupling hub", "rotor.sensors.0.name=DE x",
+                            "rotor.point_masses=[{position_m: 0.1, mass_kg: 0.2, name: Nut}]"});
+  const RunConfig again = read_run_config_text(print_config(config), "printed.yaml", {});
+  for (const RunConfig* one : {&config, &again}) {
+    const model::RotorKit& kit = *model::kit_of(one->study.machine);
+    EXPECT_EQ(kit.discs.at(0).name, "Coupling hub");
+    EXPECT_EQ(kit.sensors.at(0).name, "DE x");
+    EXPECT_EQ(kit.point_masses.at(0).name, "Nut");
+    EXPECT_FALSE(kit.from_file);
+  }
+}
+
 TEST(RotorKit, ProblemsHaveTheirPlaces) {
   const auto message = [](const std::string& override) {
     return message_of(test_file("rotor_kit.yaml"), {override}, "kit.yaml");

@@ -112,6 +112,7 @@ class KitOfElements {
       return;
     }
     disc.part.position_m = node_m_[static_cast<std::size_t>(disc.node)];
+    disc.part.name = disc.element->tag;
     kit_.discs.push_back(disc.part);
   }
 
@@ -124,13 +125,14 @@ class KitOfElements {
     const auto& [x_kg, y_kg] = mass.part;
     const std::optional<double> other = y_kg == x_kg ? std::nullopt : std::optional(y_kg);
     if (is_on_shaft(mass.node)) {
-      kit_.point_masses.push_back({node_m_[static_cast<std::size_t>(mass.node)], x_kg, other});
+      kit_.point_masses.push_back(
+          {node_m_[static_cast<std::size_t>(mass.node)], x_kg, other, mass.element->tag});
       return;
     }
     const auto [found, is_new] =
         housing_of_node_.try_emplace(mass.node, static_cast<int>(kit_.housings.size()));
     if (is_new) {
-      kit_.housings.push_back({x_kg, other});
+      kit_.housings.push_back({x_kg, other, mass.element->tag});
       housing_elements_.push_back(&mass.element->value);
       return;
     }
@@ -264,6 +266,7 @@ model::RotorKit read_ross_rotor(yaml::Section& section) {
   }
   // Elements of the file are not divided, except by a stop or a sensor between two nodes.
   kit.elements = 1;
+  kit.from_file = true;
   read_kit_rest(section, kit);
   if (name && section.is_sound()) refuse_loose_shaft(*name, kit);
   return kit;

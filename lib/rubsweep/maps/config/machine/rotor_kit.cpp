@@ -38,6 +38,8 @@ void read_part(yaml::Section& section, Part& part, const model::Range& range) {
   bool on_shaft = true;
   if constexpr (std::is_same_v<Part, model::Support>) on_shaft = !section.find("at_housing");
   if constexpr (std::is_same_v<Part, model::Disc>) read_disc_geometry(section, part);
+  if constexpr (requires { part.name; })
+    if (const auto name = section.find("name")) part.name = read_text(*name).value_or("");
   const bool by_table = read_table(section, part);
   Part::visit_fields(part, [&](std::string_view name, auto& field, const auto& allowed) {
     if (by_table && is_coefficient(name)) return;
@@ -94,7 +96,6 @@ void read_housing(yaml::Section& section, std::string_view name, std::optional<i
 }
 
 void read_support(yaml::Section& section, model::Support& support, const model::RotorKit& kit) {
-  if (const auto name = section.find("name")) support.name = read_text(*name).value_or("");
   read_inner(section, "pedestal", support.pedestal);
   if (const auto value = section.find("fault")) support.fault = read_bearing_fault(*value);
   read_housing(section, "at_housing", support.at_housing, kit.housings.size());
@@ -130,6 +131,8 @@ void print_parts(yaml::Printer& printer, std::string_view name, const std::vecto
     Part::visit_fields(part, [&](std::string_view key, const auto& field, const model::Range& range) {
       if (shows(part, key)) printer.field(key, field, range);
     });
+    if constexpr (requires { part.name; })
+      if (!part.name.empty()) printer.text("name", part.name);
     more(part);
     printer.close();
   }
@@ -229,7 +232,6 @@ void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit, MatrixP
   print_parts(printer, "point_masses", kit.point_masses, nothing);
   print_parts(printer, "housings", kit.housings, nothing);
   print_parts(printer, "supports", kit.supports, [&](const model::Support& support) {
-    if (!support.name.empty()) printer.text("name", support.name);
     if (support.at_housing) printer.integer("at_housing", *support.at_housing);
     if (support.on_housing) printer.integer("on_housing", *support.on_housing);
     if (support.table) print_support_table(printer, *support.table);

@@ -17,6 +17,16 @@ Form parts_of(std::vector<Key> keys, std::vector<Choice> choices = {}) {
   return list_of(map_of(std::move(keys), std::move(choices)), 1, model::RotorKit::most_parts);
 }
 
+Key name_key(std::string meaning = "name in messages, tables and figures") {
+  return newer_key(may("name", text(), std::move(meaning), "(none)"));
+}
+
+/// Form of a list of parts that may have names.
+template <class Part>
+Form named_parts() {
+  return parts_of(joined({keys_of<Part>(), {name_key()}}));
+}
+
 Form shaft() {
   Form layers = list_of(map_of(keys_of<model::ShaftLayer>()), 1, most_layers);
   return parts_of(
@@ -30,7 +40,8 @@ Form discs() {
   Choice ways{{{{disc_inertias.begin(), disc_inertias.end()}, {}}, {{"geometry"}, {}}}};
   return parts_of(joined({keys_of<model::Disc>(),
                           {must("geometry", map_of(keys_of<model::DiscGeometry>()),
-                                "cylinder with a bore, in place of mass and inertias")}}),
+                                "cylinder with a bore, in place of mass and inertias"),
+                           name_key()}}),
                   {std::move(ways)});
 }
 
@@ -53,9 +64,7 @@ Form supports() {
   return parts_of(
       joined(
           {std::move(numbers),
-           {newer_key(may("name", text(),
-                          "name in messages and tables; a name with 'Seal' in it carries no weight",
-                          "(none)")),
+           {name_key("name in messages, tables and figures; a name with 'Seal' in it carries no weight"),
             table,
             newer_key(
                 must("at_housing", housing, "number of the housing that it holds in place of the shaft")),
@@ -87,7 +96,7 @@ Form bow() {
 std::vector<Key> kit_rest_keys() {
   return joined(
       {{newer_key(may("static_loads", parts_of(keys_of<model::StaticLoad>()), "forces that do not change")),
-        may("sensors", parts_of(keys_of<model::Sensor>()), "proximity probes"),
+        may("sensors", named_parts<model::Sensor>(), "proximity probes"),
         may("bow", bow(), "residual bow: it turns with the shaft and is not scaled by the cell", "(none)"),
         may("torsion", map_of(keys_of<model::Torsion>()),
             "twist of the rotor against a drive of constant speed", "(none)")},
@@ -99,9 +108,9 @@ std::vector<Key> rotor_kit_keys() {
                   may("discs", discs(), "rigid discs on the shaft"),
                   must("supports", supports(), "bearings of shaft and housings"),
                   may("couplings", parts_of(keys_of<model::Coupling>()), "elastic joints of the shaft"),
-                  newer_key(may("point_masses", parts_of(keys_of<model::PointMass>()),
+                  newer_key(may("point_masses", named_parts<model::PointMass>(),
                                 "masses without inertia against tilting")),
-                  newer_key(may("housings", parts_of(keys_of<model::Housing>()),
+                  newer_key(may("housings", named_parts<model::Housing>(),
                                 "bodies beside the shaft that move in x and y, held by supports"))},
                  kit_rest_keys()});
 }

@@ -188,7 +188,8 @@ sweep::Study read_study(yaml::Section& root) {
   });
   if (const auto value = root.find("start")) {
     study.machine.start = read_start(*value, study.machine.stops);
-    if (study.machine.kick) refuse(*value, "is given beside a kick", "one of the two");
+    if (study.machine.kick && !model::begins_at_rest(study.machine.start))
+      refuse(*value, "is given beside a kick", "one of the two, or rest");
   }
   root.field("gravity_m_per_s2", study.machine.gravity_m_per_s2, model::not_negative);
   if (const auto value = root.require("sweep", "a map")) study.grid = read_sweep(*value, study.machine);
@@ -221,7 +222,8 @@ std::vector<keys::Key> study_keys() {
         must("stops", machine::stops_form(),
              "places where it can touch; the whirl ratio refers to the first")},
        std::move(kicks),
-       {may("start", start_form(), "state in which every run begins, instead of a kick", "(none)"),
+       {may("start", start_form(),
+            "state in which every run begins, instead of a kick; a kick may stand beside rest", "(none)"),
         may("gravity_m_per_s2", number(model::not_negative),
             "acceleration along -y; clearances count from the unloaded position", "0"),
         must("sweep", sweep_form(), "cells of the map: speeds, unbalances and other axes"),
@@ -236,7 +238,8 @@ keys::Choice kick_or_start() {
   model::Machine::visit_kicks(any, [&](std::string_view name, const auto&...) {
     (kicked.required.empty() ? kicked.required : kicked.optional).emplace_back(name);
   });
-  return {{std::move(kicked), {{"start"}, {}}}, true};
+  kicked.optional.emplace_back("start");
+  return {{std::move(kicked), {{"start"}, {}}}, true, "start"};
 }
 
 void print_study(yaml::Printer& printer, const sweep::Study& study, AxisPrint how,
