@@ -83,10 +83,7 @@ std::optional<double> closest_approach(const NormalForm& form, std::size_t k, do
 /// Real part of the eigenvalue nearest to `place`.
 double nearest_real(const NormalForm& form, double speed, Complex place) {
   const Eigen::VectorXcd values = eigenvalues(form, speed);
-  return std::min_element(
-             values.begin(), values.end(),
-             [&](const Complex& a, const Complex& b) { return std::abs(a - place) < std::abs(b - place); })
-      ->real();
+  return values(nearest_to(place, values)).real();
 }
 
 /// Speeds of the track, and further speeds between them at which a real part may touch zero and turn back.
@@ -121,10 +118,43 @@ std::vector<double> speeds_to_search(const Track& track, const NormalForm& form)
   return speeds;
 }
 
-std::vector<Onset> onsets_of(const std::vector<Change>& changes, const Track& track, bool has_friction) {
+/// Onsets for a change of the signature, with the names of their modes.
+std::vector<Onset> describe_change(const Change& change, const Track& track, bool has_friction) {
+  const int growing = change.after.growing_real - change.before.growing_real;
+  const int decaying = change.after.decaying_real - change.before.decaying_real;
+  const int pairs = change.after.growing_pairs - change.before.growing_pairs;
+  const double speed = change.speed_rad_per_s;
+  const std::string where = std::abs(change.root.imag()) > 0
+                                ? fmt::format("at {:.6g} rad/s", change.root.imag())
+                                : fmt::format("at {:.6g} 1/s", change.root.real());
   std::vector<Onset> onsets;
-  for (const Change& change : changes) {
-    for (Onset& onset : describe_change(change, track, has_friction)) onsets.push_back(std::move(onset));
+  const auto add = [&](const char* kind, std::size_t modes, bool before, const std::string& note) {
+    onsets.push_back({kind, speed, modes_at(track, speed, change.root, modes, before), note});
+  };
+  if (growing == -2 && pairs == 1) {
+    add("real_merger", 2, true, "growing, divergence turns into flutter, " + where);
+  } else if (growing == 2 && pairs == -1) {
+    add("real_split", 2, false, "growing, flutter turns into divergence, " + where);
+  } else if (growing == 0 && pairs == 0 && decaying > 0) {
+    add("real_split", 2, false, "decaying, " + where);
+  } else if (growing == 0 && pairs == 0 && decaying < 0) {
+    add("real_merger", 2, true, "decaying, " + where);
+  } else {
+    // The first growing root begins a divergence and the last one ends it; the other events only change the
+    // number of growing roots.
+    const std::string roots = fmt::format("growing real roots from {} to {}", change.before.growing_real,
+                                          change.after.growing_real);
+    const bool plain = change.before.growing_real + change.after.growing_real == 1;
+    if (growing > 0) add("divergence_begin", 1, false, plain ? "" : roots);
+    if (growing < 0) add("divergence_end", 1, true, plain ? "" : roots);
+    const std::string note = where + (std::abs(pairs) > 1 ? fmt::format(", {} pairs", std::abs(pairs)) : "");
+    if (!has_friction) {
+      if (pairs > 0) add("coupling_begin", 2, true, note);
+      if (pairs < 0) add("coupling_end", 2, false, note);
+    } else {
+      if (pairs > 0) add("flutter_begin", 1, false, speed == 0 ? "as soon as it turns" : note);
+      if (pairs < 0) add("flutter_end", 1, true, note);
+    }
   }
   return onsets;
 }
@@ -201,44 +231,13 @@ std::vector<Onset> veerings(const Track& track, const NormalForm& form) {
 
 }  // namespace
 
-std::vector<Onset> describe_change(const Change& change, const Track& track, bool has_friction) {
-  const int growing = change.after.growing_real - change.before.growing_real;
-  const int decaying = change.after.decaying_real - change.before.decaying_real;
-  const int pairs = change.after.growing_pairs - change.before.growing_pairs;
-  const double speed = change.speed_rad_per_s;
-  const std::string where = std::abs(change.root.imag()) > 0
-                                ? fmt::format("at {:.6g} rad/s", change.root.imag())
-                                : fmt::format("at {:.6g} 1/s", change.root.real());
-  std::vector<Onset> onsets;
-  const auto add = [&](const char* kind, std::size_t modes, bool before, const std::string& note) {
-    onsets.push_back({kind, speed, modes_at(track, speed, change.root, modes, before), note});
-  };
-  if (growing == -2 && pairs == 1) {
-    add("real_merger", 2, true, "growing, divergence turns into flutter, " + where);
-  } else if (growing == 2 && pairs == -1) {
-    add("real_split", 2, false, "growing, flutter turns into divergence, " + where);
-  } else if (growing == 0 && pairs == 0 && decaying > 0) {
-    add("real_split", 2, false, "decaying, " + where);
-  } else if (growing == 0 && pairs == 0 && decaying < 0) {
-    add("real_merger", 2, true, "decaying, " + where);
-  } else {
-    // The first growing root begins a divergence and the last one ends it; the other events only change the
-    // number of growing roots.
-    const std::string roots = fmt::format("growing real roots from {} to {}", change.before.growing_real,
-                                          change.after.growing_real);
-    const bool plain = change.before.growing_real + change.after.growing_real == 1;
-    if (growing > 0) add("divergence_begin", 1, false, plain ? "" : roots);
-    if (growing < 0) add("divergence_end", 1, true, plain ? "" : roots);
-    const std::string note = where + (std::abs(pairs) > 1 ? fmt::format(", {} pairs", std::abs(pairs)) : "");
-    if (!has_friction) {
-      if (pairs > 0) add("coupling_begin", 2, true, note);
-      if (pairs < 0) add("coupling_end", 2, false, note);
-    } else {
-      if (pairs > 0) add("flutter_begin", 1, false, speed == 0 ? "as soon as it turns" : note);
-      if (pairs < 0) add("flutter_end", 1, true, note);
+void add_onsets(const std::vector<Change>& changes, const Track& track, bool has_friction,
+                std::vector<Onset>& onsets, bool only_couplings) {
+  for (const Change& change : changes) {
+    for (Onset& onset : describe_change(change, track, has_friction)) {
+      if (!only_couplings || onset.kind.starts_with("coupling")) onsets.push_back(std::move(onset));
     }
   }
-  return onsets;
 }
 
 Analysis analyse(const System& system, const std::vector<double>& speeds_rad_per_s) {
@@ -246,7 +245,7 @@ Analysis analyse(const System& system, const std::vector<double>& speeds_rad_per
   Analysis analysis;
   analysis.track = track_modes(system, form, speeds_rad_per_s);
   const auto changes = find_changes(form, speeds_to_search(analysis.track, form));
-  analysis.onsets = onsets_of(changes, analysis.track, form.has_friction);
+  add_onsets(changes, analysis.track, form.has_friction, analysis.onsets);
   analysis.regimes = regimes_of(changes, analysis.track, form);
   add_stable_windows(analysis.regimes, analysis.onsets);
   analysis.critical_speeds = critical_speeds(system, changes);
@@ -258,10 +257,8 @@ Analysis analyse(const System& system, const std::vector<double>& speeds_rad_per
   const Track& smooth_track = form.has_friction ? own_track : analysis.track;
   std::vector<Onset> without = veerings(smooth_track, smooth_form);
   if (form.has_friction) {
-    for (Onset& onset : onsets_of(find_changes(smooth_form, speeds_to_search(smooth_track, smooth_form)),
-                                  smooth_track, false)) {
-      if (onset.kind.starts_with("coupling")) without.push_back(std::move(onset));
-    }
+    add_onsets(find_changes(smooth_form, speeds_to_search(smooth_track, smooth_form)), smooth_track, false,
+               without, true);
     for (Onset& onset : without) onset.note += ", without friction";
   }
   std::move(without.begin(), without.end(), std::back_inserter(analysis.onsets));

@@ -21,8 +21,10 @@ struct Onset {
   std::string note;
 };
 
-/// Onsets for a change of the signature, with the names of their modes (no names without a track).
-std::vector<Onset> describe_change(const Change& change, const Track& track, bool has_friction);
+/// Adds the onsets of changes of the signature, or only those of coupling modes, with the names of their
+/// modes (no names without a track).
+void add_onsets(const std::vector<Change>& changes, const Track& track, bool has_friction,
+                std::vector<Onset>& onsets, bool only_couplings = false);
 
 /// Range of speeds in which the same modes are unstable in the same way.
 struct Regime {

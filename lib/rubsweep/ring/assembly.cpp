@@ -209,6 +209,12 @@ Spectrum spectrum(const NormalForm& form, double speed_rad_per_s) {
 
 double size_of(const Eigen::VectorXcd& values) { return values.cwiseAbs().maxCoeff(); }
 
+Index nearest_to(std::complex<double> place, const Eigen::VectorXcd& values) {
+  Index nearest = 0;
+  (values.array() - place).abs().minCoeff(&nearest);
+  return nearest;
+}
+
 double zero_tolerance(const NormalForm& form) { return form.has_friction ? 1e-11 : 1e-7; }
 
 Signature signature(const NormalForm& form, const Eigen::VectorXcd& values) {

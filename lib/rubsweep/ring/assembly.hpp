@@ -69,6 +69,8 @@ struct Spectrum {
 Spectrum spectrum(const NormalForm& form, double speed_rad_per_s);
 
 double size_of(const Eigen::VectorXcd& values);  ///< Largest |lambda| in 1/s.
+/// Index of the eigenvalue nearest to `place`.
+Eigen::Index nearest_to(std::complex<double> place, const Eigen::VectorXcd& values);
 
 /// Tolerance below which a real or imaginary part counts as zero, relative to the largest |lambda|. Without
 /// friction all stable roots are neutral and onsets are double roots, which are accurate only to the square

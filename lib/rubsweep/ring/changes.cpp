@@ -24,11 +24,7 @@ struct End {
   Signature signature;
 };
 
-Complex nearest(const Values& values, Complex place) {
-  return *std::min_element(values.begin(), values.end(), [&](const Complex& a, const Complex& b) {
-    return std::abs(a - place) < std::abs(b - place);
-  });
-}
+Complex nearest(const Values& values, Complex place) { return values(nearest_to(place, values)); }
 
 std::array<Complex, 2> two_nearest(const Values& values, Complex place) {
   std::array<Complex, 2> two{};

@@ -17,14 +17,9 @@ namespace rubsweep::ring {
 namespace {
 
 bool all_alike(const std::vector<Load>& loads) {
-  return std::all_of(loads.begin(), loads.end(), [&](const Load& load) {
-    const Load& first = loads.front();
-    return load.motion == first.motion && load.inclination_deg == first.inclination_deg &&
-           load.radial_mass_kg == first.radial_mass_kg && load.flexural_mass_kg == first.flexural_mass_kg &&
-           load.rotary_mass_kg == first.rotary_mass_kg &&
-           load.gyroscopic_mass_kg == first.gyroscopic_mass_kg &&
-           load.radial_stiffness_n_per_m == first.radial_stiffness_n_per_m &&
-           load.tangential_stiffness_n_per_m == first.tangential_stiffness_n_per_m;
+  return std::ranges::all_of(loads, [&](Load load) {
+    load.angle_deg = loads.front().angle_deg;
+    return load == loads.front();
   });
 }
 

@@ -1,8 +1,7 @@
-#include "rubsweep/ring/read_ring.hpp"
-
 #include <numbers>
 
 #include "rubsweep/maps/config/yaml/section.hpp"
+#include "rubsweep/ring/read_ring_config.hpp"
 
 namespace rubsweep::config::ring {
 namespace {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
@@ -14,27 +15,15 @@
 #include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/ring/assembly.hpp"
-#include "rubsweep/ring/read_ring.hpp"
 
 namespace rubsweep::config::ring {
 namespace {
 
 using rubsweep::ring::Parameter;
 
-model::Range range_of(Parameter parameter) {
-  switch (parameter) {
-    case Parameter::friction_coefficient:
-    case Parameter::radial_stiffness_n_per_m:
-      return model::not_negative;
-    case Parameter::angle_deg:
-      return model::any_finite;
-    case Parameter::inclination_deg:
-      return inclinations;
-    case Parameter::tangential_stiffness_n_per_m:
-      break;
-  }
-  return model::positive;
-}
+constexpr std::array ranges{model::not_negative, model::any_finite, inclinations, model::not_negative,
+                            model::positive};
+static_assert(ranges.size() == parameters.values.size(), "a range for each parameter");
 
 /// Whether a parameter affects a load of this kind of motion.
 bool knows(const rubsweep::ring::Load& load, Parameter parameter) {
@@ -184,7 +173,7 @@ rubsweep::ring::ChartAxis read_ring_chart(const yaml::Value& value,
     }
   }
   if (const auto over = section.require("over", study::axis_forms)) {
-    study::AxisValues read = study::read_axis(*over, range_of(axis.parameter));
+    study::AxisValues read = study::read_axis(*over, ranges[static_cast<std::size_t>(axis.parameter)]);
     axis.values = std::move(read.values);
     axis.spacing = read.spacing;
   }

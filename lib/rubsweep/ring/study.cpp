@@ -1,6 +1,7 @@
 #include "rubsweep/ring/study.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
@@ -15,18 +16,9 @@ ChartPoint point_of(const NormalForm& form, const Eigen::VectorXcd& values) {
 }
 
 void set(Load& load, Parameter parameter, double value) {
-  if (parameter == Parameter::angle_deg) load.angle_deg = value;
-  if (parameter == Parameter::inclination_deg) load.inclination_deg = value;
-  if (parameter == Parameter::radial_stiffness_n_per_m) load.radial_stiffness_n_per_m = value;
-  if (parameter == Parameter::tangential_stiffness_n_per_m) load.tangential_stiffness_n_per_m = value;
-}
-
-void add_onsets(ChartLine& line, const std::vector<Change>& changes, bool has_friction, bool only_couplings) {
-  for (const Change& change : changes) {
-    for (Onset& onset : describe_change(change, {}, has_friction)) {
-      if (!only_couplings || onset.kind.starts_with("coupling")) line.onsets.push_back(std::move(onset));
-    }
-  }
+  constexpr std::array members{&Load::angle_deg, &Load::inclination_deg, &Load::radial_stiffness_n_per_m,
+                               &Load::tangential_stiffness_n_per_m};
+  load.*members.at(static_cast<std::size_t>(parameter) - 1) = value;
 }
 
 void fill(ChartLine& line, System system, const std::vector<double>& speeds_rad_per_s) {
@@ -36,10 +28,10 @@ void fill(ChartLine& line, System system, const std::vector<double>& speeds_rad_
     line.points.push_back(point_of(form, eigenvalues(form, speed)));
     signatures.push_back(line.points.back().signature);
   }
-  add_onsets(line, find_changes(form, speeds_rad_per_s, signatures), form.has_friction, false);
+  add_onsets(find_changes(form, speeds_rad_per_s, signatures), {}, form.has_friction, line.onsets);
   if (!form.has_friction) return;
   system.friction_coefficient = 0;
-  add_onsets(line, find_changes(normal_form(system), speeds_rad_per_s), false, true);
+  add_onsets(find_changes(normal_form(system), speeds_rad_per_s), {}, false, line.onsets, true);
   std::ranges::stable_sort(line.onsets, {}, &Onset::speed_rad_per_s);
 }
 

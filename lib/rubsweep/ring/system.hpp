@@ -40,6 +40,8 @@ struct Load {
   double centrifugal_mass_kg = 0;           ///< static load / (R Omega^2): m, or 8 m_r / pi^2 for a beam
   double radial_stiffness_n_per_m = 0;      ///< k_r
   double tangential_stiffness_n_per_m = 0;  ///< k_t
+
+  bool operator==(const Load&) const = default;
 };
 
 /// Ring and loads in the frame that rotates with the loads.

@@ -232,11 +232,7 @@ std::string describe_mode_near(const Track& track, double speed_rad_per_s, std::
   const auto point = std::ranges::min_element(track.points, {}, [&](const TrackPoint& one) {
     return std::abs(one.speed_rad_per_s - speed_rad_per_s);
   });
-  const auto& values = point->spectrum.values;
-  const auto nearest = std::min_element(values.begin(), values.end(), [&](const auto& a, const auto& b) {
-    return std::abs(a - value) < std::abs(b - value);
-  });
-  return describe_mode(track, *point, static_cast<std::size_t>(nearest - values.begin()));
+  return describe_mode(track, *point, static_cast<std::size_t>(nearest_to(value, point->spectrum.values)));
 }
 
 }  // namespace rubsweep::ring
