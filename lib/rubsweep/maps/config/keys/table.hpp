@@ -1,7 +1,10 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <concepts>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,7 +35,7 @@ Form form_of(const Words<Enum, count>& words) {
 }
 
 /// Default value as text; empty where there is no default.
-std::string written(double value, const model::Range& allowed);
+inline std::string written(double value, const model::Range&) { return fmt::format("{}", value); }
 inline std::string written(const auto&, const auto&) { return ""; }
 inline std::string written(std::signed_integral auto value, const model::IntegerRange&) {
   return std::to_string(value);
@@ -80,7 +83,11 @@ class Table {
   std::vector<Key> take() { return std::move(keys_); }
 
  private:
-  Key& add(std::string_view name, Form form, std::string_view meaning, std::string_view since);
+  Key& add(std::string_view name, Form form, std::string_view meaning, std::string_view since) {
+    Key key{.name = std::string(name), .form = std::move(form), .meaning = std::string(meaning)};
+    key.since = since;
+    return keys_.emplace_back(std::move(key));
+  }
 
   std::vector<Key> keys_;
 };
@@ -115,6 +122,11 @@ struct KeysOf<std::variant<Structs...>> {
   std::vector<std::vector<Key>> ways{keys_of<Structs>()...};
 };
 
-std::vector<Key> joined(std::vector<std::vector<Key>> parts);  ///< Joins the lists of keys of several parts.
+/// Joins the lists of keys of several parts.
+inline std::vector<Key> joined(std::vector<std::vector<Key>> parts) {
+  std::vector<Key> keys;
+  for (std::vector<Key>& part : parts) std::ranges::move(part, std::back_inserter(keys));
+  return keys;
+}
 
 }  // namespace rubsweep::config::keys
