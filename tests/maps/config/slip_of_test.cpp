@@ -1,6 +1,5 @@
-#include "rubsweep/maps/config/slip_of.hpp"
-
 #include "maps/config/support.hpp"
+#include "rubsweep/maps/config/unit_slips.hpp"
 
 namespace rubsweep::config {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "rubsweep/maps/config/keys/table.hpp"
-#include "rubsweep/maps/config/machine/shaft_matrices.hpp"
-#include "rubsweep/maps/config/machine/support_table.hpp"
+#include "rubsweep/maps/config/machine/matrix_rotor.hpp"
+#include "rubsweep/maps/config/machine/rotor_kit.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"

@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/slip_of.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/maps/config/unit_slips.hpp"
 
 namespace rubsweep::config {
 namespace {

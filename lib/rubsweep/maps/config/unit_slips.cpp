@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "rubsweep/core/model/speed_text.hpp"
-#include "rubsweep/maps/config/slip_of.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 

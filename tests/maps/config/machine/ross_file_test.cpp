@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/machine/ross_file.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,7 @@
 #include "maps/config/machine/ross_text.hpp"
 #include "rubsweep/core/structure/beam_element.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
+#include "rubsweep/maps/config/machine/rotor.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {

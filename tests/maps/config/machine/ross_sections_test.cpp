@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/machine/ross_sections.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
@@ -8,6 +6,7 @@
 #include "maps/config/machine/ross_text.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
+#include "rubsweep/maps/config/machine/ross_elements.hpp"
 #include "rubsweep/maps/config/yaml/other_documents.hpp"
 
 namespace rubsweep::config::machine {

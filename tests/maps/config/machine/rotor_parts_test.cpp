@@ -1,8 +1,7 @@
-#include "rubsweep/maps/config/machine/rotor_parts.hpp"
-
 #include <variant>
 
 #include "maps/config/support.hpp"
+#include "rubsweep/maps/config/machine/rotor_kit.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {

@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/machine/shaft_matrices.hpp"
-
 #include <gtest/gtest.h>
 #include <matio.h>
 
@@ -7,6 +5,7 @@
 
 #include "core/structure/hand_matrices.hpp"
 #include "maps/config/machine/matrix_text.hpp"
+#include "rubsweep/maps/config/machine/matrix_rotor.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {

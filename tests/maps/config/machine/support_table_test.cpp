@@ -1,10 +1,9 @@
-#include "rubsweep/maps/config/machine/support_table.hpp"
-
 #include <filesystem>
 
 #include "maps/batch/message_of.hpp"
 #include "maps/batch/temporary_directory.hpp"
 #include "maps/config/support.hpp"
+#include "rubsweep/maps/config/machine/rotor_kit.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {

@@ -1,7 +1,6 @@
-#include "rubsweep/maps/config/study/study_kind.hpp"
-
 #include "maps/config/support.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/config/study/study.hpp"
 
 namespace rubsweep::config::study {
 namespace {

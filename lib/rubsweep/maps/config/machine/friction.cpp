@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/machine/friction.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,6 +13,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
+#include "rubsweep/maps/config/machine/stop.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 
 namespace rubsweep::config::machine {
@@ -81,8 +80,8 @@ model::StribeckFriction read_curve(yaml::Section& section) {
 void refuse_driving(const yaml::Section& section, std::string_view key, const model::Friction& friction) {
   const contact::FrictionBounds bounds = contact::friction_bounds(friction);
   if (contact::brakes(bounds)) return;
-  section.refuse_together(
-      key, {key},
+  section.refuse(
+      key,
       bounds.smallest < 0
           ? fmt::format("gives a coefficient of {:.4g} at a slip of {:.4g} m/s, which drives the slip",
                         bounds.smallest, bounds.smallest_at_m_per_s)

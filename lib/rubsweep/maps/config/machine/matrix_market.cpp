@@ -10,6 +10,7 @@
 
 #include "rubsweep/core/model/shaft_matrices.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
+#include "rubsweep/maps/matlab/read_file.hpp"
 #include "rubsweep/maps/table/cell.hpp"
 
 namespace rubsweep::config::machine {
@@ -24,11 +25,6 @@ constexpr std::array<std::string_view, 3> symmetries{"general", "symmetric", "sk
 constexpr std::string_view head_form =
     "%%MatrixMarket matrix, then coordinate or array, real or integer, general, symmetric or skew-symmetric";
 
-struct Word {
-  std::string_view text;
-  int column;  ///< from 1
-};
-
 struct Problem {
   int line, column;
   std::string wrong, allowed;
@@ -42,47 +38,51 @@ class Lines {
   /// Goes to the next line; false at the end of the text.
   bool next() {
     while (!rest_.empty()) {
-      const std::size_t end = rest_.find('\n');
-      split(rest_.substr(0, end));
-      rest_ = end == std::string_view::npos ? std::string_view() : rest_.substr(end + 1);
+      line_ = rest_.substr(0, rest_.find('\n'));
+      rest_.remove_prefix(std::min(line_.size() + 1, rest_.size()));
       ++number_;
-      const bool comment = !words_.empty() && words_.front().text.front() == '%' && number_ > 1;
-      if (!words_.empty() && !comment) return true;
+      split();
+      if (!words_.empty() && (words_.front().front() != '%' || number_ == 1)) return true;
     }
     return false;
   }
 
-  const std::vector<Word>& words() const { return words_; }
-  int number() const { return number_; }
+  const std::vector<std::string_view>& words() const { return words_; }
 
   [[noreturn]] void refuse(std::string wrong, std::string allowed, std::size_t word = 0) const {
-    const int column = word < words_.size() ? words_[word].column : 1;
-    throw Problem{std::max(number_, 1), column, std::move(wrong), std::move(allowed)};
+    const auto column = word < words_.size() ? words_[word].data() - line_.data() + 1 : 1;
+    throw Problem{std::max(number_, 1), static_cast<int>(column), std::move(wrong), std::move(allowed)};
   }
 
  private:
-  void split(std::string_view line) {
+  void split() {
     constexpr std::string_view blanks = " \t\r";
     words_.clear();
-    for (std::size_t begin = line.find_first_not_of(blanks); begin < line.size();) {
-      const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
-      words_.push_back({line.substr(begin, end - begin), static_cast<int>(begin) + 1});
-      begin = line.find_first_not_of(blanks, end);
+    for (std::size_t begin = line_.find_first_not_of(blanks); begin < line_.size();) {
+      const std::size_t end = std::min(line_.find_first_of(blanks, begin), line_.size());
+      words_.push_back(line_.substr(begin, end - begin));
+      begin = line_.find_first_not_of(blanks, end);
     }
   }
 
-  std::string_view rest_;
-  std::vector<Word> words_;
+  std::string_view rest_, line_;
+  std::vector<std::string_view> words_;
   int number_ = 0;
 };
 
 template <std::size_t count>
 std::size_t index_of(const Lines& lines, std::size_t word, const std::array<std::string_view, count>& words) {
-  const auto found = std::ranges::find(words, table::in_small_letters(lines.words()[word].text));
+  const auto found = std::ranges::find(words, table::in_small_letters(lines.words()[word]));
   if (found == words.end())
-    lines.refuse(fmt::format("'{}' is not read", yaml::shown(lines.words()[word].text)),
-                 yaml::describe(words), word);
+    lines.refuse(fmt::format("'{}' is not read", yaml::shown(lines.words()[word])), yaml::describe(words),
+                 word);
   return static_cast<std::size_t>(found - words.begin());
+}
+
+/// First row of a column that is written.
+Eigen::Index first_row(Symmetry symmetry, Eigen::Index column) {
+  if (symmetry == Symmetry::general) return 0;
+  return symmetry == Symmetry::symmetric ? column : column + 1;
 }
 
 class MatrixReader {
@@ -102,8 +102,8 @@ class MatrixReader {
 
  private:
   void read_head() {
-    if (!lines_.next() || table::in_small_letters(lines_.words().front().text) != "%%matrixmarket" ||
-        lines_.words().size() != 5 || table::in_small_letters(lines_.words()[1].text) != "matrix")
+    if (!lines_.next() || table::in_small_letters(lines_.words().front()) != "%%matrixmarket" ||
+        lines_.words().size() != 5 || table::in_small_letters(lines_.words()[1]) != "matrix")
       lines_.refuse("does not begin as a Matrix Market file", std::string(head_form));
     layout_ = static_cast<Layout>(index_of(lines_, 2, layouts));
     index_of(lines_, 3, fields);
@@ -111,7 +111,7 @@ class MatrixReader {
   }
 
   long integer(std::size_t word, long low, long high) const {
-    const std::string_view text = lines_.words()[word].text;
+    const std::string_view text = lines_.words()[word];
     long value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || value < low || value > high)
@@ -121,7 +121,7 @@ class MatrixReader {
   }
 
   double number(std::size_t word) const {
-    const std::string_view text = lines_.words()[word].text;
+    const std::string_view text = lines_.words()[word];
     const yaml::ParsedNumber number = yaml::parse_number(text);
     if (number.error != yaml::NumberError::none)
       lines_.refuse(fmt::format("'{}' is no finite number", yaml::shown(text)),
@@ -137,7 +137,7 @@ class MatrixReader {
     const auto most = static_cast<long>(model::ShaftMatrices::most_degrees_of_freedom);
     size_ = integer(0, 1, most);
     if (integer(1, 1, most) != size_)
-      lines_.refuse(fmt::format("the matrix has {} rows and {} columns", size_, lines_.words()[1].text),
+      lines_.refuse(fmt::format("the matrix has {} rows and {} columns", size_, lines_.words()[1]),
                     "as many columns as rows", 1);
     if (wanted == 3) entries_ = integer(2, 0, size_ * size_);
     matrix_.setZero(size_, size_);
@@ -175,10 +175,7 @@ class MatrixReader {
 
   void read_columns() {
     for (long column = 0; column < size_; ++column) {
-      const long first = symmetry_ == Symmetry::general     ? 0
-                         : symmetry_ == Symmetry::symmetric ? column
-                                                            : column + 1;
-      for (long row = first; row < size_; ++row) put(row, column, next_number());
+      for (long row = first_row(symmetry_, column); row < size_; ++row) put(row, column, next_number());
     }
     if (word_ < words_of_line_)
       lines_.refuse("the matrix goes on", fmt::format("the numbers of {} columns", size_), word_);
@@ -213,6 +210,24 @@ Symmetry symmetry_of(const Eigen::MatrixXd& matrix) {
   return matrix == -matrix.transpose() ? Symmetry::skew : Symmetry::general;
 }
 
+using matlab::Variable;
+
+constexpr std::string_view allowed_matrix = "a square matrix of real numbers, full or sparse";
+
+std::nullopt_t refuse_missing(const std::vector<Variable>& variables, const std::string& variable,
+                              const yaml::Value& value) {
+  std::vector<std::string_view> known;
+  for (const Variable& one : variables) known.push_back(one.name);
+  const auto meant = yaml::nearest(variable, known);
+  std::string list;
+  for (const std::string_view name : known)
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", yaml::shown(name));
+  return refuse(value,
+                fmt::format("the file holds no '{}'{}", yaml::shown(variable),
+                            meant ? fmt::format(" (did you mean '{}'?)", yaml::shown(*meant)) : ""),
+                list.empty() ? "a file that holds one" : "variable: with one of " + yaml::shown(list, 200));
+}
+
 }  // namespace
 
 std::optional<Eigen::MatrixXd> read_matrix_market(const yaml::Value& value) {
@@ -237,10 +252,7 @@ std::string matrix_market(const Eigen::MatrixXd& matrix) {
   std::string entries, columns;
   Eigen::Index count = 0;
   for (Eigen::Index column = 0; column < n; ++column) {
-    const Eigen::Index first = symmetry == Symmetry::general     ? 0
-                               : symmetry == Symmetry::symmetric ? column
-                                                                 : column + 1;
-    for (Eigen::Index row = first; row < n; ++row) {
+    for (Eigen::Index row = first_row(symmetry, column); row < n; ++row) {
       const double value = matrix(row, column) + 0.0;  // no -0
       columns += fmt::format("{}\n", value);
       if (value == 0) continue;
@@ -252,6 +264,35 @@ std::string matrix_market(const Eigen::MatrixXd& matrix) {
   return fmt::format("%%MatrixMarket matrix {} real {}\n", layouts[sparse ? 0 : 1],
                      symmetries[static_cast<std::size_t>(symmetry)]) +
          (sparse ? fmt::format("{0} {0} {1}\n", n, count) + entries : fmt::format("{0} {0}\n", n) + columns);
+}
+
+std::optional<Eigen::MatrixXd> read_matlab_matrix(std::string_view bytes, const std::string& variable,
+                                                  const yaml::Value& value) {
+  constexpr std::size_t most = model::ShaftMatrices::most_degrees_of_freedom;
+  std::vector<Variable> variables;
+  try {
+    variables = matlab::read_variables(bytes, [&](const Variable& one) {
+      return one.name == variable && one.is_real_matrix() && one.dims[0] == one.dims[1] &&
+             one.dims[0] <= most;
+    });
+  } catch (const matlab::FileError& error) {
+    return refuse(value, "the file " + error.wrong, error.allowed);
+  }
+  const auto found = std::ranges::find(variables, variable, &Variable::name);
+  if (found == variables.end()) return refuse_missing(variables, variable, value);
+  const auto refuse_it = [&](const std::string& why) {
+    return refuse(value, fmt::format("'{}' {}", yaml::shown(variable), why), allowed_matrix);
+  };
+  if (found->dims.size() != 2) return refuse_it("is no matrix");
+  if (found->complex) return refuse_it("is complex");
+  const std::size_t n = found->dims[0];
+  if (n == 0 || n != found->dims[1]) return refuse_it(fmt::format("is {} x {}", n, found->dims[1]));
+  if (n > most) return refuse_it(fmt::format("has more than {} rows", most));
+  if (found->values.size() != n * n) return refuse_it("holds no real numbers");
+  const auto rows = static_cast<Eigen::Index>(n);
+  Eigen::MatrixXd matrix = Eigen::Map<const Eigen::MatrixXd>(found->values.data(), rows, rows);
+  if (!matrix.allFinite()) return refuse_it("holds a number that is not finite");
+  return matrix;
 }
 
 }  // namespace rubsweep::config::machine

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "rubsweep/maps/config/yaml/value.hpp"
 
@@ -18,5 +19,10 @@ std::optional<Eigen::MatrixXd> read_matrix_market(const yaml::Value& value);
 /// Text that reads back as the same matrix: symmetric or skew-symmetric if the matrix is, and by coordinates
 /// or as an array, whichever is shorter.
 std::string matrix_market(const Eigen::MatrixXd& matrix);
+
+/// Reads the real square matrix `variable`, full or sparse, from the bytes of a MATLAB file (version 4, 5 or
+/// 7.3). Where the matrix cannot be read, a problem of `value` is added and the result is empty.
+std::optional<Eigen::MatrixXd> read_matlab_matrix(std::string_view bytes, const std::string& variable,
+                                                  const yaml::Value& value);
 
 }  // namespace rubsweep::config::machine

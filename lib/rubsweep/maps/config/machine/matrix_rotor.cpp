@@ -13,7 +13,6 @@
 #include "rubsweep/core/structure/beam_shaft.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"
-#include "rubsweep/maps/config/machine/shaft_matrices.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::config::machine {

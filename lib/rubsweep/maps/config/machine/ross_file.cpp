@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/machine/ross_file.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +9,7 @@
 
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/ross_elements.hpp"
-#include "rubsweep/maps/config/machine/ross_sections.hpp"
+#include "rubsweep/maps/config/machine/rotor.hpp"
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/maps/config/yaml/other_documents.hpp"

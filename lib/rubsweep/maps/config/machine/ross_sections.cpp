@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/machine/ross_sections.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "rubsweep/core/model/physical_range.hpp"
+#include "rubsweep/maps/config/machine/ross_elements.hpp"
 #include "rubsweep/maps/config/yaml/alternatives.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"

@@ -8,7 +8,6 @@
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/matrix_rotor.hpp"
-#include "rubsweep/maps/config/machine/ross_file.hpp"
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"
 
 namespace rubsweep::config::machine {

@@ -8,8 +8,6 @@
 
 #include "rubsweep/core/model/disc_inertia.hpp"
 #include "rubsweep/core/model/shaft_end.hpp"
-#include "rubsweep/maps/config/machine/rotor_parts.hpp"
-#include "rubsweep/maps/config/machine/support_table.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

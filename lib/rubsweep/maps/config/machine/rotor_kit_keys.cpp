@@ -5,8 +5,6 @@
 #include "rubsweep/core/model/rolling_bearing.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"
-#include "rubsweep/maps/config/machine/rotor_parts.hpp"
-#include "rubsweep/maps/config/machine/support_table.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

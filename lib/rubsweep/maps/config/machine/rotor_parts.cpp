@@ -1,11 +1,10 @@
-#include "rubsweep/maps/config/machine/rotor_parts.hpp"
-
 #include <optional>
 #include <variant>
 
 #include "rubsweep/core/model/disc_geometry.hpp"
 #include "rubsweep/core/model/rolling_bearing.hpp"
 #include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/maps/config/machine/rotor_kit.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

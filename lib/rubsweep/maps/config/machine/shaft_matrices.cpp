@@ -1,4 +1,3 @@
-#include "rubsweep/maps/config/machine/shaft_matrices.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +12,6 @@
 
 #include "rubsweep/core/model/physical_range.hpp"
 #include "rubsweep/core/structure/matrix_problems.hpp"
-#include "rubsweep/maps/config/machine/matlab_matrix.hpp"
 #include "rubsweep/maps/config/machine/matrix_market.hpp"
 #include "rubsweep/maps/config/machine/matrix_rotor.hpp"
 #include "rubsweep/maps/config/machine/table_file.hpp"

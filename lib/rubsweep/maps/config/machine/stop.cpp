@@ -10,7 +10,6 @@
 #include "rubsweep/core/model/range.hpp"
 #include "rubsweep/core/model/stop.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
-#include "rubsweep/maps/config/machine/friction.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 
@@ -65,7 +64,7 @@ model::StopGeometry read_geometry(yaml::Section& section) {
 void refuse_unfitting(const yaml::Section& section, const model::Stop& stop) {
   if (const auto problem =
           std::visit([&](const auto& kind) { return kind.problem(stop.clearance_m); }, stop.geometry))
-    section.refuse_together(problem->key, {problem->key}, problem->wrong, problem->allowed);
+    section.refuse(problem->key, problem->wrong, problem->allowed);
 }
 
 template <class... Dampings>
@@ -92,8 +91,8 @@ std::optional<model::HertzLine> read_hertz(const yaml::Value& value) {
   section.refuse_unknown_keys();
   if (!section.is_sound()) return std::nullopt;
   if (contact.length_m < 2 * contact::hertz_half_width_m(contact, contact.design_force_n)) {
-    section.refuse_together("design_force_n", {"design_force_n"}, "the contact is wider than long",
-                            "a smaller force or a greater length_m");
+    section.refuse("design_force_n", "the contact is wider than long",
+                   "a smaller force or a greater length_m");
     return std::nullopt;
   }
   return contact;
@@ -114,7 +113,7 @@ model::NormalLaw read_law(const yaml::Value& value) {
   section.refuse_unknown_keys();
   if (law.kind != model::ForceCurve::table || !section.is_sound()) return law;
   if (const auto problem = model::problem_of_curve(law))
-    section.refuse_together(problem->key, {problem->key}, problem->wrong, problem->allowed);
+    section.refuse(problem->key, problem->wrong, problem->allowed);
   return law;
 }
 
@@ -139,10 +138,9 @@ void fit_to_law(yaml::Section& section, model::Stop& stop) {
                             of_hertz ? "kind: hertz_line beside hertz" : "kind: hertz_line, or no hertz");
   stop.stiffness_n_per_m = section.is_sound() ? contact::secant_n_per_m(stop) : 1;
   if (!model::contains(model::positive, stop.stiffness_n_per_m))
-    section.refuse_together(
-        law_key, {law_key},
-        fmt::format("gives {:.4g} N/m at a twentieth of the clearance", stop.stiffness_n_per_m),
-        model::describe(model::positive, stop.stiffness_n_per_m));
+    section.refuse(law_key,
+                   fmt::format("gives {:.4g} N/m at a twentieth of the clearance", stop.stiffness_n_per_m),
+                   model::describe(model::positive, stop.stiffness_n_per_m));
 }
 
 /// Reads the contact stiffness, or computes it from hertz or from another law.
@@ -153,9 +151,8 @@ void read_contact(yaml::Section& section, model::Stop& stop) {
     stop.hertz = read_hertz(*hertz);
     stop.stiffness_n_per_m = stop.hertz ? contact::hertz_stiffness_n_per_m(*stop.hertz) : 1;
     if (!model::contains(model::positive, stop.stiffness_n_per_m)) {
-      section.refuse_together(hertz_key, {hertz_key},
-                              fmt::format("gives a stiffness of {:.4g} N/m", stop.stiffness_n_per_m),
-                              model::describe(model::positive, stop.stiffness_n_per_m));
+      section.refuse(hertz_key, fmt::format("gives a stiffness of {:.4g} N/m", stop.stiffness_n_per_m),
+                     model::describe(model::positive, stop.stiffness_n_per_m));
     }
   }
   model::Stop::visit_fields(stop, [&](std::string_view name, double& field, const model::Range& range) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/core/model/friction.hpp"
 #include "rubsweep/core/model/stop.hpp"
 #include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
@@ -17,5 +18,9 @@ inline constexpr std::size_t max_stops = 16;
 std::vector<model::Stop> read_stops(const yaml::Value& value, const std::optional<model::Range>& places);
 keys::Form stops_form();
 void print_stops(yaml::Printer& printer, const std::vector<model::Stop>& stops);
+
+model::Friction read_friction(const yaml::Value& value);  ///< Reads `friction` of a stop: a map, or `none`.
+keys::Form friction_form();
+void print_friction(yaml::Printer& printer, const model::Friction& friction);
 
 }  // namespace rubsweep::config::machine

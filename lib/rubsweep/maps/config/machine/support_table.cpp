@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/machine/support_table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "rubsweep/core/model/range.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
+#include "rubsweep/maps/config/machine/rotor_kit.hpp"
 #include "rubsweep/maps/config/machine/table_file.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"

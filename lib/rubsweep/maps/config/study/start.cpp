@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/study/start.hpp"
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -8,6 +6,7 @@
 
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/stop.hpp"
+#include "rubsweep/maps/config/study/study.hpp"
 
 namespace rubsweep::config::study {
 namespace {

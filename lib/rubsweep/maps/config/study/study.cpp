@@ -11,8 +11,6 @@
 #include "rubsweep/maps/config/machine/rotor.hpp"
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"
 #include "rubsweep/maps/config/machine/stop.hpp"
-#include "rubsweep/maps/config/study/start.hpp"
-#include "rubsweep/maps/config/study/study_kind.hpp"
 #include "rubsweep/maps/config/study/sweep.hpp"
 
 namespace rubsweep::config::study {
@@ -51,7 +49,7 @@ void read_response(const yaml::Value& value, sweep::Study& study) {
   sweep::Study::visit_fields(study, [&](std::string_view name, auto& field, const auto& key) {
     section.field(name, field, key);
     if (is_of_neighbours(name) && study.robustness != sweep::Robustness::probability && section.find(name))
-      section.refuse_together(name, {name}, "says nothing without robustness: probability", "no such key");
+      section.refuse(name, "says nothing without robustness: probability", "no such key");
   });
   if (section.is_sound()) refuse_contradictions(section, study.response);
   section.refuse_unknown_keys();
@@ -89,8 +87,8 @@ SolverOptions read_solver(const yaml::Value& value, std::size_t stops) {
   }
   constexpr std::size_t most = integrate::exact::modes::most_exact_contacts;
   if (solver.method == Method::exact && stops > most) {
-    section.refuse_together("method", {"method"}, fmt::format("is exact beside {} stops", stops),
-                            fmt::format("auto or adaptive, or at most {} stops", most));
+    section.refuse("method", fmt::format("is exact beside {} stops", stops),
+                   fmt::format("auto or adaptive, or at most {} stops", most));
   }
   section.refuse_unknown_keys();
   return solver;
@@ -119,9 +117,8 @@ keys::Form kick_form() {
 /// speed.
 void refuse_endless_kick(const yaml::Value& value, const model::Kick& kick, double longest_run_s) {
   if (kick.force_n == 0 || kick.duration_s < longest_run_s) return;
-  yaml::Section(value).refuse_together(
-      "duration_s", {"duration_s"},
-      fmt::format("{} s are no shorter than a run, {:.4g} s", kick.duration_s, longest_run_s),
+  yaml::Section(value).refuse(
+      "duration_s", fmt::format("{} s are no shorter than a run, {:.4g} s", kick.duration_s, longest_run_s),
       "less than response.max_revolutions / speed");
 }
 

@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/study/study_kind.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "rubsweep/maps/basin/low_discrepancy.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
+#include "rubsweep/maps/config/study/study.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 

@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/machine/matlab_matrix.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,6 +10,7 @@
 #include "maps/matlab/matio_file.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/opened_file.hpp"
+#include "rubsweep/maps/config/machine/matrix_market.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
@@ -41,7 +40,7 @@ Answer read(const std::filesystem::path& file, const std::string& variable) {
   return answer;
 }
 
-TEST(MatlabMatrix, ReadsFullSingleAndSparseOnes) {
+TEST(MatrixMarketMatlabMatrix, ReadsFullSingleAndSparseOnes) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "m.mat";
   {
@@ -55,7 +54,7 @@ TEST(MatlabMatrix, ReadsFullSingleAndSparseOnes) {
   EXPECT_EQ(read(path, "C").matrix, Eigen::MatrixXd(Eigen::Matrix2d{{1, -3}, {0, 4.5}}));
 }
 
-TEST(MatlabMatrix, SaysWhatIsNoMatrixOfIt) {
+TEST(MatrixMarketMatlabMatrix, SaysWhatIsNoMatrixOfIt) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "m.mat";
   {
