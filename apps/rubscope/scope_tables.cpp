@@ -9,7 +9,7 @@
 
 #include "rubscope/overall_values.hpp"
 #include "rubscope/verdict_text.hpp"
-#include "rubsweep/analysis/linear/ramp_resonance.hpp"
+#include "rubsweep/analysis/linear/bode.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/numerics/straight_line.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"

@@ -7,7 +7,6 @@
 
 #include "rubsweep/analysis/linear/bode.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
-#include "rubsweep/analysis/linear/ramp_resonance.hpp"
 
 namespace rubsweep::linear {
 

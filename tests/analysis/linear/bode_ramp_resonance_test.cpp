@@ -1,5 +1,3 @@
-#include "rubsweep/analysis/linear/ramp_resonance.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <numbers>
 #include <random>
 #include <vector>
+
+#include "rubsweep/analysis/linear/bode.hpp"
 
 namespace rubsweep::linear {
 namespace {
@@ -55,7 +55,7 @@ double speed_of_largest_hz(const std::vector<BodePoint>& plot) {
   return std::ranges::max_element(plot, {}, &BodePoint::amplitude_m)->speed_hz;
 }
 
-TEST(RampResonance, IsThatOfTheRotorHoweverFastTheRamp) {
+TEST(BodeRampResonance, IsThatOfTheRotorHoweverFastTheRamp) {
   for (const auto& [ratio, rate] :
        {std::pair{0.01, 4.0}, {0.01, -4.0}, {0.01, 24.0}, {0.001, 4.0}, {0.1, 4.0}}) {
     const auto plot = rate > 0 ? plot_of_ramp({.damping_ratio = ratio}, 15, 45, rate)
@@ -70,7 +70,7 @@ TEST(RampResonance, IsThatOfTheRotorHoweverFastTheRamp) {
   }
 }
 
-TEST(RampResonance, AllowsForABowAndForOtherModes) {
+TEST(BodeRampResonance, AllowsForABowAndForOtherModes) {
   const auto plot = plot_of_ramp({.bow_m = {4e-6, 7e-6}, .rest_m = {3e-6, -1e-6}}, 15, 45, 4);
   const auto fit = fit_ramp_resonance(plot, 4);
   ASSERT_TRUE(fit);
@@ -78,7 +78,7 @@ TEST(RampResonance, AllowsForABowAndForOtherModes) {
   EXPECT_NEAR(fit->damping_ratio, 0.01, 1e-7);
 }
 
-TEST(RampResonance, NoiseIsLeftAsMisfit) {
+TEST(BodeRampResonance, NoiseIsLeftAsMisfit) {
   auto plot = plot_of_ramp({}, 15, 45, 4);
   double largest_m = 0;
   for (const BodePoint& point : plot) largest_m = std::max(largest_m, point.amplitude_m);
@@ -99,7 +99,7 @@ TEST(RampResonance, NoiseIsLeftAsMisfit) {
   EXPECT_NEAR(fit->misfit, 0.01 * std::sqrt(2.0) / 0.55, 0.01);
 }
 
-TEST(RampResonance, TwoModesLeaveAMisfit) {
+TEST(BodeRampResonance, TwoModesLeaveAMisfit) {
   auto plot = plot_of_ramp({}, 15, 45, 4);
   const auto second = plot_of_ramp({.natural_hz = 31.5}, 15, 45, 4);
   for (std::size_t k = 0; k < plot.size(); ++k) {
@@ -112,7 +112,7 @@ TEST(RampResonance, TwoModesLeaveAMisfit) {
   EXPECT_TRUE(!fit || fit->misfit > 0.05);
 }
 
-TEST(RampResonance, IsEmptyWhereThereIsNothingToFit) {
+TEST(BodeRampResonance, IsEmptyWhereThereIsNothingToFit) {
   EXPECT_FALSE(fit_ramp_resonance({}, 4));
   const auto plot = plot_of_ramp({}, 15, 45, 4);
   EXPECT_FALSE(fit_ramp_resonance(std::span(plot).first(12), 4));
