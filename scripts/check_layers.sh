@@ -49,8 +49,8 @@ declare -A below=(
   # The rate of a state by the law of contact and friction: touching, slipping and sticking contacts, holding
   # forces, derivatives.
   [integrate/law]='integrate/run numerics'
-  # Odeint steppers with location of every change of contact mode.
-  [integrate/adaptive]='integrate/law'
+  # Odeint steppers with location of every change of contact mode; steps by series for contacts by a power.
+  [integrate/adaptive]='integrate/law integrate/taylor'
   # The contact modes of a machine as matrices, flows, guards and responses to harmonic forces, see [the
   # modes](#the-modes-of-the-exact-solver).
   [integrate/exact/modes]='integrate/run numerics'

@@ -150,6 +150,12 @@ struct Reference {
     return out;
   }
 
+  /// Number of points of a measured curve below a penetration. The slope of the force bends at each of them.
+  static long piece(const model::NormalLaw& law, Real p) {
+    if (law.kind != ForceCurve::table) return 0;
+    return std::ranges::count_if(law.penetration_m, [p](double at) { return p > at; });
+  }
+
   Numbers step(Real t, Real h) const {
     const auto at = [&](const Numbers& k, Real f) {
       Numbers z = state;
@@ -177,8 +183,8 @@ struct Reference {
   }
 
   /// One step, shortened to the first instant at which a contact begins, ends, no longer presses, turns
-  /// back, stops slipping or lets go. Without the turns a touch and the flight after it, or a short flight
-  /// between two touches, could lie within a step.
+  /// back, stops slipping, lets go or passes a point of a measured curve. Without the turns a touch and the
+  /// flight after it, or a short flight between two touches, could lie within a step.
   Real advance(Real t, Real most) {
     const Real w = scene.speed_rad_per_s;
     Real h = most;
@@ -191,12 +197,14 @@ struct Reference {
     }
     h = std::min(h, longest / w);
     Numbers next = step(t, h);
-    // Rising or falling; open, pressing or no longer pressing; and whether dry friction goes on as it does.
+    // Rising or falling; open, pressing or no longer pressing; whether dry friction goes on as it does; and
+    // the piece of a measured curve.
     const auto region = [&](std::size_t i, const Numbers& z, Real at) {
       const Seen m = seen(i, z);
       const bool goes_on = m.p <= 0 || !dry(i) ||
                            (way == 0 ? std::abs(holding_share(i, z, at)) <= 1 : slip(i, z) * Real(way) > 0);
-      return std::tuple(m.v > 0, m.p <= 0 ? 0 : 1 + x[i] * m.v / speed[i] > 0 ? 1 : 2, goes_on);
+      const int presses = 1 + x[i] * m.v / speed[i] > 0 ? 1 : 2;
+      return std::tuple(m.v > 0, m.p <= 0 ? 0 : presses, goes_on, piece(stops[i].law, m.p));
     };
     const auto changed_at = [&](const Numbers& z, Real at) {
       for (std::size_t i = 0; i < stops.size(); ++i)

@@ -34,6 +34,7 @@ class CurvedLaw {
   /// Elastic energy in joules: integral of S from 0 to a penetration >= 0.
   double energy_j(double penetration_m) const;
 
+  const model::NormalLaw& law() const { return law_; }
   /// Damping factor x = c v0, without unit.
   double factor() const { return factor_; }
   /// Approach speed v0 used for all impacts; empty: each impact uses its own speed.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rubsweep/core/integrate/adaptive/adaptive_run.hpp"
+#include "rubsweep/core/integrate/adaptive/series_step.hpp"
 #include "rubsweep/core/integrate/exact/exact_run.hpp"
 #include "rubsweep/core/integrate/exact/modes/machine_modes.hpp"
 #include "rubsweep/core/integrate/run/coordinates.hpp"
@@ -35,7 +36,9 @@ class FlightRun {
         contact_(scene, options),
         touches_(contact_.touches()),
         max_steps_(options.max_steps_per_revolution),
-        max_evaluations_(run::most_evaluations_of_a_turn(options)) {}
+        max_evaluations_(run::most_evaluations_of_a_turn(options)) {
+    contact_.step_by(adaptive::make_series_step(contact_.law(), options));
+  }
 
   run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
     const run::Effort before = effort();

@@ -105,6 +105,11 @@ class Series {
   double backward_[last + 1];
 };
 
+/// Coefficient k of the product a b.
+inline double product_term(const Series& a, const Series& b, int k) {
+  return k == 0 ? a[0] * b[0] : a[0] * b[k] + a[k] * b[0] + inner_sum(a, b, k);
+}
+
 /// Sum of a_j a_{k-j} for 1 <= j <= k - 1, each pair taken once.
 inline double inner_square(const Series& a, int k) {
   const int half = (k + 1) / 2;

@@ -65,6 +65,10 @@ class AdaptiveRun {
     return outcome == run::Outcome::ok ? finish_turn(report) : outcome;
   }
 
+  /// Makes steps by another method than that of the options.
+  void step_by(std::unique_ptr<StepMethod> method) { method_ = std::move(method); }
+  const Law& law() const { return dynamics_; }
+
   /// Begins a revolution that `go_on` and `finish_turn` complete.
   void begin_turn(const run::TurnRequest& request, double end_phase = numerics::full_turn) {
     begin_at(request, book_.revolution, 0, end_phase);
@@ -210,6 +214,7 @@ class AdaptiveRun {
     const bool limited = step_.start_phase + 1.000001 * wanted >= boundary;
     double size = limited ? boundary - step_.start_phase : wanted;
     const double taken = size;
+    step_.latest_phase = boundary;
     if (!method_->try_step(right_hand_side_, step_, size)) {
       book_.refuse_step();
       sizes_.next = size;
@@ -221,8 +226,10 @@ class AdaptiveRun {
       return sizes_.next < smallest_size ? run::Outcome::non_finite : run::Outcome::ok;
     }
     ++book_.effort.steps;
-    sizes_.next = limited ? std::max(size, wanted) : size;
-    if (limited) step_.end_phase = boundary;
+    if (!step_.knows_modes) {
+      sizes_.next = limited ? std::max(size, wanted) : size;
+      if (limited) step_.end_phase = boundary;
+    }
     switches_.look_at_end();
     accept(observer);
     return run::Outcome::ok;
@@ -232,7 +239,7 @@ class AdaptiveRun {
   void accept(StepObserver& observer) {
     std::optional<Crossing> crossing;
     if constexpr (!smoothed) crossing = first_crossing();
-    if (sizes_.retakes(crossing, step_.start_phase)) return;
+    if (!step_.knows_modes && sizes_.retakes(crossing, step_.start_phase)) return;
     const auto state_at = [this](double phase) -> const State& {
       method_->state_at(right_hand_side_, step_, phase, probe_);
       return probe_;
@@ -241,12 +248,34 @@ class AdaptiveRun {
     observer.sample(step_.start_phase, step_.start, end_phase, state_at);
     to_tangents(tangents_,
                 [&](auto& vectors) { vectors.follow(*method_, right_hand_side_, step_, end_phase); });
-    if (crossing) cut_step(end_phase);
-    observer.watch(step_, dynamics_, start_kinematics_, end_kinematics_);
+    if (crossing && !(step_.knows_modes && end_phase == step_.end_phase)) cut_step(end_phase);
+    watch(observer);
     if constexpr (!smoothed) switch_modes(crossing, observer);
     turn_around();
     step_.start_phase = end_phase;
     clock_.go_to(end_phase);
+  }
+
+  /// Reports the step. Peaks of a long one are found in parts of it.
+  void watch(StepObserver& observer) {
+    if (!step_.knows_modes || !observer.wants_peaks())
+      return observer.watch(step_, dynamics_, start_kinematics_, end_kinematics_);
+    constexpr int parts = 8;
+    part_ = step_;
+    part_kinematics_ = start_kinematics_;
+    part_end_kinematics_.resize(part_kinematics_.size());
+    for (int k = 1; k <= parts; ++k) {
+      part_.end_phase = step_.start_phase + k * (step_.end_phase - step_.start_phase) / parts;
+      method_->state_at(right_hand_side_, step_, part_.end_phase, part_.end);
+      dynamics_(part_.end, part_.end_rate, part_.end_phase);
+      for (std::size_t i = 0; i < part_kinematics_.size(); ++i)
+        part_end_kinematics_[i] = dynamics_.kinematics(i, part_.end, part_.end_rate);
+      observer.watch(part_, dynamics_, part_kinematics_, part_end_kinematics_);
+      std::swap(part_.start, part_.end);
+      std::swap(part_.start_rate, part_.end_rate);
+      std::swap(part_kinematics_, part_end_kinematics_);
+      part_.start_phase = part_.end_phase;
+    }
   }
 
   /// Exchanges start and end of the step.
@@ -306,6 +335,8 @@ class AdaptiveRun {
   bool opened_ = false;  ///< true: the last change of mode was the opening of all
   StepSizes<Law> sizes_{dynamics_, tolerance_};
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
+  Step part_;  ///< part of a step whose peaks are reported, with its kinematics
+  std::vector<contact::Kinematics> part_kinematics_, part_end_kinematics_;
   StepSwitches<Law> switches_{dynamics_, step_, end_kinematics_, book_, tangents_, probe_rate_};
 };
 

@@ -17,17 +17,6 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// First event inside a step; it ends the step.
-struct Crossing {
-  /// mode: a guard of a contact mode; stop: a slip reaches zero; release: a contact stops sticking.
-  enum class Event { mode, stop, release };
-  double phase = 0;
-  std::size_t contact = 0;
-  contact::Mode next = contact::Mode::open;
-  Event event = Event::mode;
-  contact::Slip slip = contact::Slip::forward;  ///< direction of slip after a release
-};
-
 /// Finds the first event in an accepted step. States inside the step come from the method's dense output. A
 /// guard is approximated by the quartic through its values and rates at both ends and its value in the
 /// middle. All members belong to the calling run.
@@ -41,12 +30,13 @@ struct CrossingSearch {
   const std::vector<bool>& just_moved;  ///< slips that start from zero and grow
   State &probe, &probe_rate;            ///< scratch for a state inside the step
 
+  /// A step that ends at the first change of a mode has no other.
   std::optional<Crossing> first() {
-    std::optional<Crossing> earliest;
+    std::optional<Crossing> earliest = step.ending;
     for (std::size_t i = 0; i < dynamics.system().contacts.size(); ++i) {
       const contact::Guards at_start = guards(i, start_kinematics[i]);
       const contact::Guards at_end = guards(i, end_kinematics[i]);
-      for (int e = 0; e < at_start.count; ++e) {
+      for (int e = 0; e < at_start.count && !step.knows_modes; ++e) {
         const auto k = static_cast<std::size_t>(e);
         const auto candidate = locate(i, e, at_start.list[k], at_end.list[k]);
         if (candidate && (!earliest || candidate->phase < earliest->phase)) earliest = candidate;

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "rubsweep/core/contact/contact_mode.hpp"
+#include "rubsweep/core/contact/dry_friction.hpp"
 #include "rubsweep/core/integrate/run/options.hpp"
 
 namespace rubsweep::integrate::adaptive {
@@ -10,10 +14,24 @@ namespace rubsweep::integrate::adaptive {
 /// State of a run, and its rate: coordinates, their rates, then further numbers of a law.
 using State = std::vector<double>;
 
+/// First event inside a step; it ends the step.
+struct Crossing {
+  /// mode: a guard of a contact mode; stop: a slip reaches zero; release: a contact stops sticking.
+  enum class Event { mode, stop, release };
+  double phase = 0;
+  std::size_t contact = 0;
+  contact::Mode next = contact::Mode::open;
+  Event event = Event::mode;
+  contact::Slip slip = contact::Slip::forward;  ///< direction of slip after a release
+};
+
 /// One attempted or accepted step of any method from `start` to `end`, with states and rates at both ends.
 struct Step {
   double start_phase = 0, end_phase = 0;
   State start, start_rate, end, end_rate;
+  double latest_phase = 0;           ///< latest end, where the law or its turn ends
+  bool knows_modes = false;          ///< true: the method has searched the step for changes of mode
+  std::optional<Crossing> ending{};  ///< with `knows_modes`: the change that ends the step, if one does
 };
 
 /// Interface of a law for methods: each method is compiled only once, not once for every law.
@@ -41,6 +59,14 @@ class StepMethod {
   /// State inside the last accepted step, by dense output where available, otherwise by repeating the method
   /// from the start of the step.
   virtual void state_at(RightHandSide& law, const Step& step, double phase, State& out) = 0;
+
+  /// Variable in which the states of the last step are smooth, by the phase in the step; the phase itself for
+  /// most methods. `state_by` writes the state there, and returns d phase / d variable.
+  virtual double variable_at(const Step&, double phase) { return phase; }
+  virtual double state_by(RightHandSide& law, const Step& step, double variable, State& out) {
+    state_at(law, step, variable, out);
+    return 1;
+  }
 
   /// Discards what the method remembers of earlier steps, because the right-hand side has changed at a change
   /// of contact mode or an impulse.

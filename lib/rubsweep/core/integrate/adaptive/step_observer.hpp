@@ -57,6 +57,7 @@ class StepObserver {
   }
 
   run::TurnReport& report() { return report_; }
+  bool wants_peaks() const { return request_.peaks; }
 
   /// Whether some contact touches at the end of the turn.
   template <class Dynamics>

@@ -68,14 +68,15 @@ class StepTangents final : public RightHandSide {
     size_ = first_size;
   }
 
-  /// Moves the vectors over the step of the motion up to `end_phase`.
+  /// Moves the vectors over the step of the motion up to `end_phase`, in the variable of its method.
   void follow(StepMethod& motion, RightHandSide& of_motion, const Step& step, double end_phase) {
     motion_ = &motion, of_motion_ = &of_motion, step_ = &step;
-    inner_.start_phase = step.start_phase;
+    inner_.start_phase = motion.variable_at(step, step.start_phase);
+    const double end = motion.variable_at(step, end_phase);
     (*this)(inner_.start, inner_.start_rate, inner_.start_phase);
     double size = size_;
-    for (int attempts = 0; inner_.start_phase < end_phase; ++attempts) {
-      const double left = end_phase - inner_.start_phase;
+    for (int attempts = 0; inner_.start_phase < end; ++attempts) {
+      const double left = end - inner_.start_phase;
       const bool last = 1.000001 * size >= left;
       double next = last ? left : size;
       if (!method_->try_step(*this, inner_, next)) {
@@ -86,7 +87,7 @@ class StepTangents final : public RightHandSide {
       size_ = size = last ? std::max(size, next) : next;
       std::swap(inner_.start, inner_.end);
       std::swap(inner_.start_rate, inner_.end_rate);
-      inner_.start_phase = last ? end_phase : inner_.end_phase;
+      inner_.start_phase = last ? end : inner_.end_phase;
     }
   }
 
@@ -143,8 +144,9 @@ class StepTangents final : public RightHandSide {
     if (count_ == 1) last_ = vectors().col(0);
   }
 
+  /// The variable is the phase wherever a contact sticks.
   void operator()(const State& x, State& rate, double phase) override {
-    motion_->state_at(*of_motion_, *step_, phase, at_);
+    const double pace = motion_->state_by(*of_motion_, *step_, phase, at_);
     typename Law::Holding holding;
     if (law_.stuck_contacts().count > 0) {
       law_.loose(at_, at_rate_, phase);
@@ -164,6 +166,7 @@ class StepTangents final : public RightHandSide {
       to.middleRows(n, n).noalias() += push_.tail(n) * from.row(row);
       to.row(row).setZero();
     }
+    to *= pace;
   }
   /// Unused: no implicit method moves tangent vectors.
   void jacobian(const State&, double*, double, State&) override {}

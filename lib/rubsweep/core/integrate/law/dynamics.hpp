@@ -127,6 +127,8 @@ class Dynamics : public ContactForces<N, Smoothed> {
   /// Sets the pulses that act from now on, with times in radians; `pulses` must outlive this object. Without
   /// this call only the second harmonic acts.
   void follow(const run::PulseTimes& pulses) { pulses_ = &pulses; }
+  /// Pulses of the latest call of `follow`.
+  const run::PulseTimes& pulses() const { return *pulses_; }
 
  private:
   /// The same as `slopes`, but with constant holding friction.

@@ -95,7 +95,7 @@ class ContactSeries {
   /// Acceleration d'' in the two fixed directions of a sticking contact.
   const numerics::PlaneSeries& acceleration() const { return acceleration_; }
 
- private:
+ protected:
   numerics::Twin flat_term(int k);
   numerics::Twin annular_term(int k);
   template <bool damped>

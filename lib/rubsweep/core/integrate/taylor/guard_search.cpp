@@ -168,6 +168,10 @@ std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order
   return earliest;
 }
 
+std::optional<double> first_rise(std::span<double> coefficients, double accuracy) {
+  return first_rise_of_armed(coefficients, noise_of(accuracy));
+}
+
 std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, double accuracy,
                                           double duration_rad, const SlipStart& start) {
   using contact::Slip;

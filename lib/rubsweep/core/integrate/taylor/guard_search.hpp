@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "rubsweep/core/contact/contact_mode.hpp"
 #include "rubsweep/core/integrate/taylor/contact_series.hpp"
@@ -25,6 +26,10 @@ double guards_converged_rad(ContactSeries& contact, int order, double accuracy, 
 /// polynomials there, and none is missed.
 std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order, double accuracy,
                                          double duration_rad);
+
+/// First rise through zero, as a share of the searched duration, of an armed guard with these coefficients,
+/// which change. Share 0: it is past zero at the start and rises.
+std::optional<double> first_rise(std::span<double> coefficients, double accuracy);
 
 /// Event at a contact with dry friction: the end of sliding in one direction, or of sticking.
 struct SlipEvent {

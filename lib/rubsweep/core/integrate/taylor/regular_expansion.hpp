@@ -1,0 +1,315 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/core/integrate/law/dynamics.hpp"
+#include "rubsweep/core/integrate/run/scaled_system.hpp"
+#include "rubsweep/core/integrate/taylor/contact_directions.hpp"
+#include "rubsweep/core/integrate/taylor/contact_law.hpp"
+#include "rubsweep/core/integrate/taylor/guard_search.hpp"
+#include "rubsweep/core/integrate/taylor/regular_contact.hpp"
+#include "rubsweep/core/integrate/taylor/step_length.hpp"
+#include "rubsweep/core/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/core/numerics/matrix_flow.hpp"
+#include "rubsweep/core/numerics/taylor_series.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// Motion of a scaled system as power series of a regular time s, within one joint contact mode. A force K
+/// p^n with n = 1.5 or 2.5 has no power series of the phase at the penetration p = 0, where contacts begin
+/// and end. With the root w = sqrt(p) and the pace d phase / ds = w (Sundman's transformation), dw/ds = p' /
+/// 2 and K p^n = K w^(2 n) are analytic there. Far from such a point the pace is 1.
+template <int N>
+class RegularExpansion {
+ public:
+  /// `system` must outlive this object. `accuracy` as in SeriesOptions.
+  RegularExpansion(const run::ScaledSystem<N>& system, double accuracy)
+      : system_(system),
+        accuracy_(accuracy),
+        structure_rate_(
+            numerics::dense::spectral_radius(numerics::generator_of(system.stiffness, system.damping))),
+        state_(2 * system.coordinates() + 2, order + 1),
+        rate_(state_.rows(), order) {
+    for (const auto& contact : system.contacts) {
+      laws_.emplace_back(contact);
+      contacts_.emplace_back(PowerLaw(contact.law.get(), contact.length_m));
+    }
+    touching_.reserve(contacts_.size());
+    pulses_.reserve(system.pulses.size());
+  }
+
+  /// Expands from `state` (u then u') and its rate with the modes, slips and dampings of `law`. False where
+  /// there is no such series: a contact sticks, obeys another law, touches without closing, or two contacts
+  /// are near their beginning or end.
+  template <class State>
+  bool expand(const State& state, const State& rate, double phase_rad, const law::Dynamics<N, false>& law) {
+    const Eigen::Index n = system_.coordinates();
+    state_.col(0).head(2 * n) = Eigen::Map<const Eigen::VectorXd>(&state[0], 2 * n);
+    state_(2 * n, 0) = std::cos(phase_rad);
+    state_(2 * n + 1, 0) = std::sin(phase_rad);
+    start_pulses(phase_rad, law.pulses());
+    if (!begin_contacts(state, rate, law)) return false;
+    for (int k = 0; k < order; ++k) {
+      make_rate(k);
+      if (k == 0 && pacer_ && pacer_->root()[0] == 0 && pacer_->closing_term(0) <= 0) return false;
+      advance(k);
+    }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const int made = contacts_[i].mode() == contact::Mode::open ? 0 : order;
+      for (int k = made; k <= order; ++k)
+        put_motion(i, k, state_.col(k).head(n), state_.col(k).segment(n, n));
+    }
+    return true;
+  }
+
+  /// The longest s over which the series are accurate.
+  double converged() {
+    const Eigen::Index n = system_.coordinates();
+    const auto size = [&](Eigen::Index row, int k) {
+      return state_.col(k).segment(row, n).template lpNorm<Eigen::Infinity>();
+    };
+    const double length = std::max(1.0, size(0, 0)), speed = std::max(1.0, size(n, 0));
+    double longest = longest_parameter;
+    for (int k = order - most_gap; k <= order; ++k) {
+      const double term = std::max(size(0, k) / length, size(n, k) / speed), largest = largest_term(k);
+      if (!std::isfinite(term)) return 0;
+      longest = numerics::longest_below(longest, term, k, largest);
+    }
+    for (int k = order - most_gap; pacer_ && k <= order; ++k) {
+      const double root = pacer_->root()[0] + std::abs(pacer_->root()[1]) * longest;
+      longest = numerics::longest_below(longest, std::abs(pacer_->root()[k]), k, largest_term(k) * root);
+    }
+    for (RegularContact& contact : contacts_)
+      longest = guards_converged_rad(contact, order, accuracy_, longest);
+    return longest;
+  }
+  /// Largest advance of the phase within s = `end`: up to it, polynomials treat rounding as the motion would.
+  double most_rad(double end) const { return longest_times_fastest / fastest(end); }
+
+  /// First change of a contact's mode up to s = `end`, which moves there; without a contact if there is none.
+  /// False where a guard is past zero at the start.
+  struct Event {
+    std::optional<std::size_t> contact{};
+    contact::Mode next = contact::Mode::open;
+  };
+  bool find_event(double& end, Event& event) {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const bool open = contacts_[i].mode() == contact::Mode::open;
+      if (open) {
+        if (const auto crossing = first_guard(contacts_[i], order, accuracy_, end)) {
+          if (crossing->share == 0) return false;
+          end *= crossing->share;
+          event = {i, crossing->next};
+        }
+      } else if (!find_end_of_mode(i, end, event)) {
+        return false;
+      }
+      const double share = open ? 1 : saturated_share(contacts_[i], order, end);
+      if (share < 1) event = {};
+      end *= share;
+    }
+    return true;
+  }
+
+  /// Advance of the phase up to s, and its inverse for an advance within s = `end`.
+  double phase_after(double s) const {
+    double sum = 0;
+    for (int k = order - 1; k >= 0; --k) sum = sum * s + pace_[k] * numerics::one_over(k + 1);
+    return sum * s;
+  }
+  double pace_at(double s) const {
+    double sum = 0;
+    for (int k = order - 1; k >= 0; --k) sum = sum * s + pace_[k];
+    return sum;
+  }
+  double parameter_at(double advance_rad, double end) const {
+    if (advance_rad <= 0) return 0;
+    if (phase_after(end) <= advance_rad) return end;
+    double low = 0, high = end, s = end;
+    for (int k = 0; k < most_iterations && high - low > 1e-16 * end; ++k) {
+      const double excess = phase_after(s) - advance_rad;
+      if (excess == 0) return s;
+      (excess > 0 ? high : low) = s;
+      const double next = s - excess / pace_at(s);
+      if (std::abs(next - s) <= 1e-16 * end) return s;
+      s = next > low && next < high ? next : (low + high) / 2;
+    }
+    return s;
+  }
+
+  /// Writes u then u' at s.
+  void put_state(double s, double* to) const {
+    Column sum = state_.col(order);
+    for (int k = order - 1; k >= 0; --k) sum = sum * s + state_.col(k);
+    Eigen::Map<Eigen::VectorXd>(to, sum.size() - 2) = sum.head(sum.size() - 2);
+  }
+
+ private:
+  using Vector = Eigen::Matrix<double, N, 1>;
+  static constexpr int order = numerics::most_taylor_order;
+  static constexpr int rows = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N + 2;
+  using Column = Eigen::Matrix<double, rows, 1>;
+  static constexpr int most_iterations = 200;
+  /// Without other forces, only each fifth term (with n = 2.5 each seventh) of a series is not zero.
+  static constexpr int most_gap = 6;
+  static constexpr double longest_parameter = 1e6;
+
+  /// Largest term k of a converged series: the accuracy for the last two, as much by their growth for others.
+  double largest_term(int k) const {
+    return k >= order - 1 ? accuracy_ : std::pow(accuracy_, static_cast<double>(k) / order);
+  }
+
+  void start_pulses(double phase_rad, const run::PulseTimes& pulses) {
+    pulses_.clear();
+    for (const std::size_t i : pulses.acting()) {
+      pulses_.emplace_back();
+      pulses_.back().index = i;
+      const double angle = system_.pulses[i].rate * (pulses.elapsed(i) + phase_rad);
+      pulses_.back().sine.set(0, std::sin(angle));
+      pulses_.back().cosine.set(0, std::cos(angle));
+    }
+  }
+
+  template <class State>
+  bool begin_contacts(const State& state, const State& rate, const law::Dynamics<N, false>& law) {
+    touching_.clear();
+    pacer_ = nullptr;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const contact::Mode mode = law.modes()[i];
+      const bool open = mode == contact::Mode::open;
+      RegularContact& c = contacts_[i];
+      c.begin(laws_[i], mode, open ? 0 : law.slip_m_per_s(i, state), law.slips()[i]);
+      if (open) continue;
+      if (c.sticks() || law.poised(i) || c.power().halves == 0) return false;
+      const bool paces = c.power().rooted() && !far_from_zero(i, law.kinematics(i, state, rate));
+      if (paces && pacer_) return false;
+      if (paces) pacer_ = &c;
+      c.begin_power(law.impact_damping(i), paces);
+      touching_.push_back(i);
+    }
+    return true;
+  }
+
+  /// Whether the penetration stays above zero so long that series of the phase, whose pieces cost half as
+  /// much, are better: longer than a share of a radian of the contact's vibration there.
+  bool far_from_zero(std::size_t i, const contact::Kinematics& k) const {
+    const PowerLaw& power = contacts_[i].power();
+    const double p = k.penetration;
+    if (p <= 0) return false;
+    constexpr double share = 0.5;
+    const double square = laws_[i].mobility * power.slope(p);
+    return square * p * p > share * share * k.closing_speed * k.closing_speed &&
+           2 * square * p > share * share * std::abs(k.closing_acceleration);
+  }
+
+  void put_motion(std::size_t i, int k, const Vector& u, const Vector& v) {
+    const auto& c = system_.contacts[i];
+    numerics::Twin distance = at_contact(c, u);
+    if (k == 0) distance += numerics::Twin{c.offset[0], c.offset[1]};
+    contacts_[i].set_motion(k, distance, at_contact(c, v));
+  }
+
+  /// Computes coefficient k of the rates by the phase, of the states and of cosine and sine of the phase.
+  void make_rate(int k) {
+    const Eigen::Index n = system_.coordinates();
+    const Vector u = state_.col(k).head(n), v = state_.col(k).segment(n, n);
+    const double cosine = state_(2 * n, k), sine = state_(2 * n + 1, k);
+    Vector acceleration;
+    if (system_.diagonal) {
+      acceleration = -system_.stiffness_diagonal.cwiseProduct(u) - system_.damping_diagonal.cwiseProduct(v);
+    } else {
+      acceleration.noalias() = -system_.stiffness * u;
+      acceleration.noalias() -= system_.damping * v;
+    }
+    if (k == 0) acceleration += system_.constant;
+    acceleration += system_.cosine * cosine + system_.sine * sine;
+    for (const ActingPulse& pulse : pulses_) acceleration += system_.pulses[pulse.index].top * pulse.sine[k];
+    for (const std::size_t i : touching_) {
+      const run::ScaledContact<N>& c = system_.contacts[i];
+      put_motion(i, k, u, v);
+      const numerics::Twin force = contacts_[i].power_term(k);
+      acceleration += c.first_push * force[0] + c.second_push * force[1];
+    }
+    rate_.col(k).head(n) = v;
+    rate_.col(k).segment(n, n) = acceleration;
+    rate_(2 * n, k) = -sine;
+    rate_(2 * n + 1, k) = cosine;
+  }
+
+  /// Computes coefficient k of the pace, then coefficient k + 1 of everything whose rate is known.
+  void advance(int k) {
+    pace_.set(k, pacer_ ? pacer_->root()[k] : k == 0 ? 1 : 0);
+    const double next = numerics::one_over(k + 1);
+    Column sum = pace_[0] * rate_.col(k);
+    for (int j = 0; j < k && pacer_; ++j) sum += pace_[k - j] * rate_.col(j);
+    state_.col(k + 1) = sum * next;
+    for (ActingPulse& pulse : pulses_) {
+      const double by = system_.pulses[pulse.index].rate * next;
+      const double sine = by * numerics::product_term(pace_, pulse.cosine, k);
+      pulse.cosine.set(k + 1, -by * numerics::product_term(pace_, pulse.sine, k));
+      pulse.sine.set(k + 1, sine);
+    }
+    for (const std::size_t i : touching_) contacts_[i].advance(k, pacer_ ? &pace_ : nullptr);
+  }
+
+  /// Fastest rate per radian of the structure with the touching contacts, up to s = `end`.
+  double fastest(double end) const {
+    double square = structure_rate_ * structure_rate_, linear = 1;
+    for (const std::size_t i : touching_) {
+      const RegularContact& c = contacts_[i];
+      double deepest = std::max(0.0, c.penetration_term(0));
+      if (c.is_pace()) deepest = std::max(deepest, std::pow(pace_at(end), 2));
+      square += c.power().slope(deepest) * laws_[i].mobility;
+      linear += c.impact_damping() * c.power().force_n(deepest) * laws_[i].mobility;
+    }
+    return std::max(linear, std::sqrt(square));
+  }
+
+  /// Looks for the end of a touching contact's mode, as `find_event`.
+  bool find_end_of_mode(std::size_t i, double& end, Event& event) {
+    const RegularContact& contact = contacts_[i];
+    const auto look = [&](contact::Mode next, const auto& term) {
+      std::array<double, order> guard{};
+      double power = 1;
+      for (int k = 0; k < order; ++k, power *= end) guard[static_cast<std::size_t>(k)] = power * term(k);
+      const auto rise = first_rise(guard, accuracy_);
+      if (!rise) return true;
+      if (*rise == 0) return false;
+      end *= *rise;
+      event = {i, next};
+      return true;
+    };
+    const bool opens = look(contact::Mode::open, [&](int k) {
+      return contact.is_pace() ? -contact.root()[k] : -contact.penetration_term(k);
+    });
+    if (!opens || contact.impact_damping() == 0) return opens;
+    const double sign = contact.mode() == contact::Mode::released ? 1 : -1;
+    return look(sign > 0 ? contact::Mode::sprung : contact::Mode::released, [&](int k) {
+      return sign * ((k == 0 ? 1 : 0) + contact.impact_damping() * contact.closing_term(k));
+    });
+  }
+
+  struct ActingPulse {
+    std::size_t index = 0;
+    numerics::Series sine, cosine;
+  };
+
+  const run::ScaledSystem<N>& system_;
+  double accuracy_, structure_rate_;
+  std::vector<ContactLaw> laws_;
+  std::vector<RegularContact> contacts_;
+  std::vector<std::size_t> touching_;
+  const RegularContact* pacer_ = nullptr;  ///< contact whose root is the pace; null: the pace is 1
+  std::vector<ActingPulse> pulses_;
+  numerics::Series pace_;
+  Eigen::Matrix<double, rows, order + 1> state_;  ///< coefficients of u, u', cosine and sine of the phase
+  Eigen::Matrix<double, rows, order> rate_;       ///< of their rates by the phase
+};
+
+}  // namespace rubsweep::integrate::taylor

@@ -1,0 +1,99 @@
+// Steps by series against rkf78, from a contact's beginning to its end.
+#include "rubsweep/core/integrate/adaptive/series_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/integrate/curved_machine.hpp"
+#include "rubsweep/core/integrate/adaptive/law_of_steps.hpp"
+#include "rubsweep/core/integrate/run/pulse_times.hpp"
+
+namespace rubsweep::integrate::adaptive {
+namespace {
+
+using namespace test_curved;
+
+/// A rotor and a casing 1 mm away that have just begun to touch.
+struct Touching {
+  explicit Touching(double exponent) : scene(made(exponent)), system(run::scale<4>(scene)), law(system, 0) {
+    law.follow(pulses);
+    law.modes()[0] = contact::Mode::sprung;
+    law.begin_impact(0, 0.8);
+    for (State* state : {&step.start, &step.start_rate, &step.end, &step.end_rate}) state->resize(8);
+    step.start = {0.1, 1, 0, 0, 0.2, 0.8, 0, 0};
+    step.start_phase = 0.5;
+    step.latest_phase = 2 * std::numbers::pi;
+    law(step.start, step.start_rate, step.start_phase);
+  }
+
+  static scene::Scene made(double exponent) {
+    scene::Contact contact;
+    contact.wall = contact::FlatWall{{0, 1}};
+    contact.casing_point = 1;
+    contact.clearance_m = 1e-3;
+    contact.surface_speed_m_per_s = 12;
+    contact.friction = model::StribeckFriction{{0, 0, 0, 0.2, 0.1, 0}};
+    const double stiffness = 1e6 / std::pow(5e-5, exponent - 1);
+    give_law(power_stop(stiffness, exponent, ImpactDamping::hunt_crossley, 0.7), contact);
+    return rotor_and_casing({contact}, 40);
+  }
+
+  scene::Scene scene;
+  run::ScaledSystem<4> system;
+  run::PulseTimes pulses{scene, system.scale, 2 * std::numbers::pi};
+  law::Dynamics<4, false> law;
+  Step step;
+};
+
+TEST(SeriesStep, FollowsAContactToItsEnd) {
+  for (const double exponent : {1.0, 1.5, 2.0, 2.5}) {
+    Touching at(exponent);
+    LawOfSteps<law::Dynamics<4, false>> law(at.law);
+    const run::SolverOptions tight{.stepper = run::Stepper::rkf78, .relative_tolerance = 1e-13};
+    const auto series = make_series_step(at.law, tight), other = make_step_method(tight);
+    Step small = at.step;
+    double size = 1, small_size = 1e-5;
+    State inside(8);
+    for (int steps = 0; !at.step.ending; ++steps) {
+      ASSERT_LT(steps, 40) << exponent;
+      ASSERT_TRUE(series->try_step(law, at.step, size));
+      ASSERT_TRUE(at.step.knows_modes);
+      for (const double share : {0.5, 1.0}) {
+        const double phase = at.step.start_phase + share * (at.step.end_phase - at.step.start_phase);
+        while (small.start_phase < phase) {
+          double next = std::min(small_size, phase - small.start_phase);
+          const bool last = next < small_size;
+          const bool made = other->try_step(law, small, next);
+          if (!made || !last) small_size = std::min(next, 1e-3);
+          if (!made) continue;
+          std::swap(small.start, small.end);
+          std::swap(small.start_rate, small.end_rate);
+          small.start_phase = last ? phase : small.end_phase;
+        }
+        series->state_at(law, at.step, phase, inside);
+        EXPECT_LT(distance(inside, small.start), 1e-10) << exponent << " " << steps;
+      }
+      at.step.start = at.step.end, at.step.start_rate = at.step.end_rate;
+      at.step.start_phase = at.step.end_phase;
+    }
+    EXPECT_EQ(at.step.ending->next, contact::Mode::open);
+    EXPECT_NEAR(at.step.end[1] - at.step.end[3], 1, 1e-13);
+  }
+}
+
+TEST(SeriesStep, LeavesOtherLawsToTheStepper) {
+  Touching at(1.3);
+  LawOfSteps<law::Dynamics<4, false>> law(at.law);
+  double size = 1e-3;
+  const auto series = make_series_step(at.law, {});
+  ASSERT_TRUE(series->try_step(law, at.step, size));
+  EXPECT_FALSE(at.step.knows_modes);
+  EXPECT_EQ(series->variable_at(at.step, 0.7), 0.7);
+}
+
+}  // namespace
+}  // namespace rubsweep::integrate::adaptive
