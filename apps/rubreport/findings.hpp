@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/analysis/page/map_table.hpp"
+#include "rubreport/map_table.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 

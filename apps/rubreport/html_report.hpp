@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/analysis/page/map_table.hpp"
+#include "rubreport/map_table.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 

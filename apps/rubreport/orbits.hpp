@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/analysis/page/map_table.hpp"
+#include "rubreport/map_table.hpp"
 #include "rubsweep/analysis/page/settled_orbit.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 

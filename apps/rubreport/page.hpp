@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rubreport/map_table.hpp"
 #include "rubreport/orbits.hpp"
-#include "rubsweep/analysis/page/map_table.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "rubsweep/analysis/page/map_table.hpp"
+#include "rubreport/map_table.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::apps {

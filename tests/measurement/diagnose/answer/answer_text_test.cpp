@@ -43,6 +43,22 @@ TEST(AnswerTextAnswerJson, SaysAllThatIsKnown) {
   EXPECT_DOUBLE_EQ(root["recording"]["speed_hz"], 70);
 }
 
+TEST(AnswerText, NamesOtherCausesWhereNoRubIsLikely) {
+  Answer answer = small_answer();
+  answer.signs = {{ForeignCause::oil_whirl, 0.93, 0.44}};
+  const std::string sign =
+      "  oil_whirl              93 % at 0.44X: a forward whirl at less than half the speed";
+  EXPECT_EQ(answer_text(answer).find("oil_whirl"), std::string::npos);
+  answer.candidates[0].probability = 0.3;
+  EXPECT_NE(answer_text(answer).find(sign), std::string::npos) << answer_text(answer);
+  answer.candidates[0].cause = Cause::no_rub;
+  answer.candidates[0].probability = 0.9;
+  EXPECT_NE(answer_text(answer).find(sign), std::string::npos);
+  const auto root = nlohmann::json::parse(answer_json(answer));
+  EXPECT_EQ(root["other_causes"][0]["cause"], "oil_whirl");
+  EXPECT_DOUBLE_EQ(root["other_causes"][0]["share_off_1x"], 0.93);
+}
+
 std::string first_line(const Answer& answer) {
   const std::string text = answer_text(answer);
   return text.substr(0, text.find('\n'));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -103,6 +104,12 @@ TEST(ForeignCauseSigns, RunOutIsSeenByTheSecondProbeLater) {
   EXPECT_EQ(causes(lines([](double phi) { return profile(phi, -45, 30); }), question),
             Causes{ForeignCause::run_out});
   EXPECT_EQ(causes(lines([](double phi) { return profile(-phi, 0, 90); })), Causes{});
+  // One probe tells it from a loose support as little as the other way round.
+  const Causes one_probe =
+      causes(lines([](double phi) { return profile(phi, 0, 90); }, false), {.speed_hz = speed_hz});
+  EXPECT_EQ(one_probe.size(), 2U);
+  EXPECT_EQ(std::ranges::count(one_probe, ForeignCause::run_out), 1);
+  EXPECT_EQ(std::ranges::count(one_probe, ForeignCause::looseness), 1);
 }
 
 TEST(ForeignCauseSigns, LooseSupportsMoveTheShaftAlongALine) {

@@ -89,11 +89,11 @@ std::string trust_line(const Answer& answer) {
                             as_far, as_far == 1 ? "lies" : "lie");
 }
 
-/// Signs of other causes; a rub that explains the recording has no need of them.
+/// Signs of other causes; a rub that is more likely than all others together has no need of them.
 std::string signs_text(const Answer& answer) {
-  constexpr double least_none = 0.2;
-  if (answer.signs.empty() || (answer.none < least_none && answer.candidates.front().cause != Cause::no_rub))
-    return {};
+  const CandidateAnswer& first = answer.candidates.front();
+  const bool rubs = first.cause != Cause::no_rub && first.probability >= 0.5;
+  if (answer.signs.empty() || rubs) return {};
   std::string text = "\nother causes with such lines, and the share of the energy off 1X in them\n";
   for (const ForeignSign& sign : answer.signs)
     text += fmt::format("  {:<22} {} at {:.3g}X: {}\n", to_string(sign.cause), percent(sign.share),

@@ -136,10 +136,11 @@ class Rules {
     return (turned * lines_.at(k) + std::conj(turned * lines_.at(-k))) / 2.0;
   }
 
-  /// Whether the second probe reads what the first one read, later by the angle between both.
+  /// Whether the second probe reads what the first one read, later by the angle between both; one probe does
+  /// not rule it out.
   bool is_run_out() const {
     constexpr double least_correlation = 0.95;
-    if (!plane_) return false;
+    if (!plane_) return true;
     const double first_rad = question_.probe_angle_deg->first * std::numbers::pi / 180,
                  second_rad = question_.probe_angle_deg->second * std::numbers::pi / 180;
     double together = 0, of_first = 0, of_second = 0;
@@ -153,7 +154,7 @@ class Rules {
     return together >= least_correlation * std::sqrt(of_first * of_second);
   }
 
-  /// Whether the multiples lie along one direction, the same for all.
+  /// Whether the multiples lie along one direction, the same for all; one probe does not rule it out.
   bool is_straight() const {
     constexpr double least_straight = 0.85;
     if (!plane_) return true;

@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/page/map_table.hpp"
+#include "rubreport/map_table.hpp"
 
 #include <gtest/gtest.h>
 
