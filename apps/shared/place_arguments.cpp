@@ -10,8 +10,8 @@
 #include "rubsweep/core/model/physical_range.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/overloaded.hpp"
-#include "rubsweep/maps/config/slip_of.hpp"
 #include "rubsweep/maps/config/study/sweep.hpp"
+#include "rubsweep/maps/config/unit_slips.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
