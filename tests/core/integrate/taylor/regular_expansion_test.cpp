@@ -72,7 +72,9 @@ TEST(RegularExpansion, CarriesAContactFromItsBeginningToItsEnd) {
     }
     duration += motion.phase_after(end);
     over = event.contact.has_value();
-    if (over) EXPECT_EQ(event.next, contact::Mode::open);
+    if (over) {
+      EXPECT_EQ(event.next, contact::Mode::open);
+    }
   }
   const double K = 1e4, m = 2, v = 1e-3, peak_m = std::pow(5 * m * v * v / (4 * K), 0.4);
   const double constant = 2 * std::sqrt(pi) * std::tgamma(1.4) / std::tgamma(0.9);
