@@ -77,6 +77,8 @@ class ColumnsTest(unittest.TestCase):
                     "--output", "rubtrace/kit")
         cls.program("rubtrace", top / "configs/gallery/torsion.yaml", "--speed-hz", 90, "--eccentricity-m", 1e-4, "--revolutions", 20,
                     "--output", "rubtrace/twist")
+        cls.program("rubtrace", minimal, "--speed-hz", 90, "--whirl-ratio", 0.6, "--revolutions", 20, "--sample-s", 1e-3,
+                    "--probe", "stop0:velocity:90", "--probe", "stop0:acceleration:90", "--output", "rubtrace/casing")
         cls.program("rubtrace", minimal, "--free-response", "--duration-s", 1, "--noise-m", 5e-6, "--output", "rubtrace/free")
         cls.program("rubtrace", minimal, "--run-up", "22:40:6", "--eccentricity-m", 1e-5, "--output", "rubtrace/up")
         cls.program("rubtrace", minimal, "--run-up", "50:60:5", "--eccentricity-m", 2e-4, "--with-stops", "--output", "rubtrace/rub")
