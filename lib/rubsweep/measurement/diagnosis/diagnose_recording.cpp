@@ -136,12 +136,11 @@ std::optional<diagnose::answer::Answer> answer_of(const RecordedProblem& recorde
   const diagnose::Spread frequency_hz =
       spread_of(problem.candidates.front(), diagnose::Unknown::natural_frequency);
   answer.signs = diagnose::answer::foreign_signs(
-      lines,
-      {.speed_hz = recorded.recording.mean_speed_hz(),
-       .natural_frequency_hz = (frequency_hz.low + frequency_hz.high) / 2,
-       .probe_angle_deg = problem.measuring.probes == 2
-                              ? std::optional(std::pair(probes.front().angle_deg, probes.back().angle_deg))
-                              : std::nullopt});
+      lines, {.speed_hz = recorded.recording.mean_speed_hz(),
+              .natural_frequency_hz = (frequency_hz.low + frequency_hz.high) / 2,
+              .probe_angle_deg = probes.size() == 2 ? std::optional(std::pair(probes.front().angle_deg,
+                                                                              probes.back().angle_deg))
+                                                    : std::nullopt});
   return answer;
 }
 
