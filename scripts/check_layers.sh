@@ -145,14 +145,14 @@ declare -A below=(
   [config/study]='config/machine sweep'
   # Reads and prints whole configurations, every problem with its place.
   [config]='config/study'
-  # Texts and tables of maps: map.csv, comparisons, basins, explanations and summaries on the terminal.
+  # Texts and tables of maps: map.csv, comparisons, basins and summaries on the terminal.
   [report]='sweep'
   # Results of a sweep on the disk: directories taken up again, shares, chunks in rounds, merging, refined and
   # painted cells, status, verification.
   [map]='config report'
   # The journal of `rubbranch --map`.
   [branch/journal]='branch/families map'
-  # Inputs of `report.html`: the table of a map as numbers, and the motion on which a cell of it settled.
+  # The motion on which a cell settled, for `report.html` and for comparisons with recordings.
   [page]='report trace'
 )
 

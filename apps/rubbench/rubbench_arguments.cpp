@@ -39,16 +39,6 @@ po::options_description visible_options() {
   return options;
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t from = 0;;) {
-    const std::size_t to = text.find(separator, from);
-    parts.push_back(text.substr(from, to - from));
-    if (to == std::string_view::npos) return parts;
-    from = to + 1;
-  }
-}
-
 template <class Number>
 std::optional<Number> number(std::string_view text) {
   Number value{};
@@ -61,7 +51,7 @@ std::vector<integrate::run::Stepper> read_steppers(const std::string& text) {
   using integrate::adaptive::row_of;
   std::vector<integrate::run::Stepper> steppers;
   const auto all = integrate::adaptive::single_steppers();
-  for (const std::string_view name : split(text, ',')) {
+  for (const std::string_view name : parts_of(text, ',')) {
     const auto found = std::ranges::find_if(all, [&](auto stepper) { return row_of(stepper).word == name; });
     if (found == all.end()) {
       std::string allowed;
@@ -76,7 +66,7 @@ std::vector<integrate::run::Stepper> read_steppers(const std::string& text) {
 std::vector<double> read_tolerances(std::string_view text) {
   constexpr auto range = integrate::run::SolverOptions::relative_tolerance_range;
   std::vector<double> tolerances;
-  for (const std::string_view part : split(text, ',')) {
+  for (const std::string_view part : parts_of(text, ',')) {
     const auto value = number<double>(part);
     if (!value || !(*value >= range.low && *value <= range.high)) {
       throw UsageError(
@@ -88,7 +78,7 @@ std::vector<double> read_tolerances(std::string_view text) {
 }
 
 void read_labels(const std::string& text, RubbenchArguments& arguments) {
-  const auto parts = split(text, 'x');
+  const auto parts = parts_of(text, 'x');
   if (parts.size() == 2) {
     const auto speeds = number<std::size_t>(parts[0]), unbalances = number<std::size_t>(parts[1]);
     if (speeds && unbalances && (*speeds == 0) == (*unbalances == 0)) {

@@ -70,13 +70,8 @@ FittedKey key_in(const std::string& text) {
   FittedKey key{.name = text.substr(0, equals)};
   if (equals == std::string::npos) return key;
   std::vector<double> numbers;
-  std::string_view rest = std::string_view(text).substr(equals + 1);
-  while (true) {
-    const std::size_t colon = rest.find(':');
-    numbers.push_back(number_in(rest.substr(0, colon), text));
-    if (colon == std::string_view::npos) break;
-    rest.remove_prefix(colon + 1);
-  }
+  for (const std::string_view part : parts_of(std::string_view(text).substr(equals + 1), ':'))
+    numbers.push_back(number_in(part, text));
   if (numbers.size() < 2 || numbers.size() > 3 || !std::ranges::is_sorted(numbers) ||
       numbers.front() == numbers.back())
     throw UsageError(fmt::format("--fit {}: allowed: bounds that rise, LOW:HIGH or LOW:START:HIGH", text));

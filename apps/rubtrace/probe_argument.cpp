@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "rubsweep/core/error.hpp"
+#include "shared/command_line.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
@@ -17,8 +18,7 @@ namespace {
 
 constexpr std::string_view form =
     "PLACE:QUANTITY:ANGLE_DEG[:NOISE] with PLACE shaft, stopN or shaft-stopN and QUANTITY displacement, "
-    "velocity or "
-    "acceleration";
+    "velocity or acceleration";
 
 template <class Number>
 bool read_number(std::string_view text, Number& number) {
@@ -39,16 +39,6 @@ bool read_quantity(std::string_view text, ProbeArgument& probe) {
   const auto found = std::ranges::find(words, text);
   probe.derivative = static_cast<int>(found - words.begin());
   return found != words.end();
-}
-
-std::vector<std::string_view> parts_of(std::string_view text) {
-  std::vector<std::string_view> parts;
-  for (std::size_t end = 0; end != std::string_view::npos; text.remove_prefix(end + 1)) {
-    end = text.find(':');
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) break;
-  }
-  return parts;
 }
 
 /// Map from the coordinates to the displacement (x, y) that a probe reads.
@@ -74,7 +64,7 @@ Eigen::Matrix<double, 2, Eigen::Dynamic> map_of(const ProbeArgument& probe,
 
 ProbeArgument probe_of(const std::string& text) {
   ProbeArgument probe{.text = text};
-  const std::vector<std::string_view> parts = parts_of(text);
+  const std::vector<std::string_view> parts = parts_of(text, ':');
   const bool sound = (parts.size() == 3 || parts.size() == 4) && read_place(parts[0], probe) &&
                      read_quantity(parts[1], probe) && read_number(parts[2], probe.angle_deg) &&
                      (parts.size() == 3 || read_number(parts[3], probe.noise)) &&

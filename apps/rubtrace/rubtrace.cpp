@@ -33,6 +33,7 @@
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
 #include "rubtrace_arguments.hpp"
+#include "rubtrace_options.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"

@@ -55,7 +55,4 @@ struct RubtraceArguments : StudyArguments {
 /// Reads the command line. Throws UsageError (program.hpp).
 RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv);
 
-/// Text of --help.
-std::string rubtrace_help();
-
 }  // namespace rubsweep::apps

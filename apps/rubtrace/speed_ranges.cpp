@@ -7,9 +7,11 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rubsweep/core/model/range.hpp"
+#include "shared/command_line.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
@@ -18,16 +20,14 @@ namespace {
 /// The finite numbers between the colons of a text; empty where one of them is invalid.
 std::optional<std::vector<double>> numbers_between_colons(const std::string& text) {
   std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::string part = text.substr(begin, text.find(':', begin) - begin);
+  for (const std::string_view part : parts_of(text, ':')) {
     std::size_t used = 0;
     try {
-      numbers.push_back(std::stod(part, &used));
+      numbers.push_back(std::stod(std::string(part), &used));
     } catch (const std::logic_error&) {
       return std::nullopt;
     }
     if (used != part.size() || !model::contains(model::any_finite, numbers.back())) return std::nullopt;
-    begin += part.size() + 1;
   }
   return numbers;
 }

@@ -170,6 +170,16 @@ StudyArguments study_arguments(const po::variables_map& given, std::string_view 
   return arguments;
 }
 
+std::vector<std::string_view> parts_of(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t from = 0;;) {
+    const std::size_t to = text.find(separator, from);
+    parts.push_back(text.substr(from, to - from));
+    if (to == std::string_view::npos) return parts;
+    from = to + 1;
+  }
+}
+
 std::optional<double> positive_number(const po::variables_map& given, const char* name) {
   if (!is_given(given, name)) return std::nullopt;
   const double value = given[name].as<double>();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "rubsweep/maps/batch/progress.hpp"
 #include "shared/action.hpp"
@@ -41,6 +42,9 @@ Action action_of(const po::variables_map& given);
 
 /// Arguments from `read_study_command_line`; `program` is the name in the message about a missing file.
 StudyArguments study_arguments(const po::variables_map& given, std::string_view program);
+
+/// The parts of a text between separators, at least one.
+std::vector<std::string_view> parts_of(std::string_view text, char separator);
 
 /// Value of an option, which must be finite and > 0, or >= 0; empty where it is not given.
 std::optional<double> positive_number(const po::variables_map& given, const char* name);

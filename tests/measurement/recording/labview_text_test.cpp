@@ -90,6 +90,16 @@ TEST(LabviewText, BracketsOfANameAreNoUnitWhereTheHeadHasAnother) {
   EXPECT_EQ(table.channels[2].unit, "Volts");
 }
 
+/// The first signal ends before the second, so that its times end with empty cells.
+TEST(LabviewText, KeepsItsRateWhereASignalEndsEarly) {
+  std::string text = labview_head("Multi") +
+                     "Channels\t2\t\t\t\t\nDelta_X\t0.5\t\t0.5\t\t\n***End_of_Header***\t\n"
+                     "X_Value\tX\tX_Value\tKP\tComment\n0\t1\t0\t2\n0.5\t2\t0.5\t3\n1\t3\t1\t4\n\t\t1.5\t5\n";
+  const Channels table = read_delimited_text(text, "f");
+  EXPECT_EQ(table.sampling_rate_hz, 2);
+  EXPECT_EQ(table.rows(), 3u);
+}
+
 TEST(LabviewText, HasNoRateWhereTheTimesDoNotKeepToIt) {
   const auto row = [](std::size_t k) { return fmt::format("{}\t1\t2", k * k); };
   const Channels table =

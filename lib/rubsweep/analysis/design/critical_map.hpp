@@ -23,8 +23,8 @@ std::vector<CriticalSpeedsAt> critical_map(const model::RotorKit& kit, const std
                                            std::span<const double> stiffness_n_per_m, int modes);
 
 /// First undamped critical speed on rigid bearings, which is the natural frequency of a Jeffcott rotor. Empty
-/// where no support is a bearing, where no stiffness is rigid, or
-/// where matrices do not tell shaft and bearings apart. Precise to 1e-6.
+/// where no support is a bearing, where no stiffness is rigid, or where matrices do not tell shaft and
+/// bearings apart. Precise to 1e-6.
 std::optional<double> rigid_critical_hz(const model::Machine& machine);
 
 }  // namespace rubsweep::design

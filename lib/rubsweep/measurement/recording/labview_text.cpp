@@ -139,7 +139,7 @@ void label_units(Channels& table, const Head& head) {
     if (channel.number < 2 || channel.number >= units.size() + 2) continue;
     const std::string_view unit = units[channel.number - 2];
     if (unit.empty() || unit == channel.unit) continue;
-    if (!channel.unit.empty()) channel.name = names[channel.number - 2];
+    if (!channel.unit.empty() && channel.number - 2 < names.size()) channel.name = names[channel.number - 2];
     channel.unit = unit;
   }
 }
@@ -169,7 +169,6 @@ Channels read_segment(const Segment& segment) {
   }
   const Head head(segment.text);
   label_units(table, head);
-  forget_untrue_rate(table);
   const auto step = head.number("Delta_X");
   for (const char* key : {"Delta_X", "X0"}) {
     const auto cells = head.cells(key);
@@ -193,6 +192,7 @@ Channels read_segment(const Segment& segment) {
   for (Channel& channel : table.channels)
     if (is_times(channel) && channel.unit.empty()) channel.unit = "s";
   join_times(table);
+  forget_untrue_rate(table);
   return table;
 }
 

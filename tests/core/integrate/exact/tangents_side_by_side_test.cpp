@@ -88,5 +88,17 @@ TEST(TangentsSideBySide, StayWhenOthersJoin) {
   both.expect_same("anew");
 }
 
+/// Turns with and without tangent vectors alternate in a proof. Memory that doubles each time would not
+/// suffice.
+TEST(TangentsSideBySide, NeedNoMoreMemoryWhenTheyComeAndGo) {
+  Both both(8);
+  for (int i = 0; i < 60; ++i) {
+    both.resize(0);
+    both.tested.resize(0, 0);
+    both.resize(8);
+    both.expect_same("again");
+  }
+}
+
 }  // namespace
 }  // namespace rubsweep::integrate::exact

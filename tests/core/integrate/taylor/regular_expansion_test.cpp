@@ -70,7 +70,7 @@ TEST(RegularExpansion, CarriesAContactFromItsBeginningToItsEnd) {
       }
       deepest = inside[0] - 1;
     }
-    duration += motion.phase_after(end);
+    duration += motion.time().phase_after(end);
     over = event.contact.has_value();
     if (over) {
       EXPECT_EQ(event.next, contact::Mode::open);
@@ -94,12 +94,12 @@ TEST(RegularExpansion, IsOfOrderTwentyFourWhereTheContactBegins) {
   const auto error_at = [&](double s) {
     std::vector<double> state = impact.start, coarse(4);
     motion.put_state(s, coarse.data());
-    for (double left = motion.phase_after(s); left > 0;) {
+    for (double left = motion.time().phase_after(s); left > 0;) {
       EXPECT_TRUE(impact.expand(piece, state));
       double end = piece.converged() / 2;
-      if (piece.phase_after(end) > left) end = piece.parameter_at(left, end);
+      if (piece.time().phase_after(end) > left) end = piece.time().parameter_at(left, end);
       piece.put_state(end, state.data());
-      left = piece.phase_after(end) < left ? left - piece.phase_after(end) : 0;
+      left = piece.time().phase_after(end) < left ? left - piece.time().phase_after(end) : 0;
     }
     return std::abs(coarse[2] - state[2]);
   };
@@ -124,8 +124,9 @@ TEST(RegularExpansion, InvertsItsTime) {
   ASSERT_TRUE(impact.expand(motion, impact.start));
   const double end = motion.converged();
   for (const double share : {1e-9, 1e-3, 0.5, 0.999})
-    EXPECT_NEAR(motion.parameter_at(motion.phase_after(share * end), end), share * end, 1e-14 * end);
-  EXPECT_EQ(motion.parameter_at(0, end), 0);
+    EXPECT_NEAR(motion.time().parameter_at(motion.time().phase_after(share * end), end), share * end,
+                1e-14 * end);
+  EXPECT_EQ(motion.time().parameter_at(0, end), 0);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "rubsweep/core/integrate/adaptive/event_search.hpp"
 #include "rubsweep/core/integrate/adaptive/law_of_steps.hpp"
 #include "rubsweep/core/integrate/adaptive/step_observer.hpp"
+#include "rubsweep/core/integrate/adaptive/step_parts.hpp"
 #include "rubsweep/core/integrate/adaptive/step_sizes.hpp"
 #include "rubsweep/core/integrate/adaptive/step_switches.hpp"
 #include "rubsweep/core/integrate/adaptive/step_tangents.hpp"
@@ -220,7 +221,7 @@ class AdaptiveRun {
       sizes_.next = size;
       return sizes_.next < smallest_size ? run::Outcome::step_too_small : run::Outcome::ok;
     }
-    if (!finite(step_.end)) {
+    if (!is_finite(step_.end)) {
       book_.refuse_step();
       sizes_.next = taken / 10;
       return sizes_.next < smallest_size ? run::Outcome::non_finite : run::Outcome::ok;
@@ -249,40 +250,17 @@ class AdaptiveRun {
     to_tangents(tangents_,
                 [&](auto& vectors) { vectors.follow(*method_, right_hand_side_, step_, end_phase); });
     if (crossing && !(step_.knows_modes && end_phase == step_.end_phase)) cut_step(end_phase);
-    watch(observer);
+    parts_.watch(step_, start_kinematics_, end_kinematics_, dynamics_, right_hand_side_, *method_, observer);
     if constexpr (!smoothed) switch_modes(crossing, observer);
     turn_around();
     step_.start_phase = end_phase;
     clock_.go_to(end_phase);
   }
 
-  /// Reports the step. Peaks of a long one are found in parts of it.
-  void watch(StepObserver& observer) {
-    if (!step_.knows_modes || !observer.wants_peaks())
-      return observer.watch(step_, dynamics_, start_kinematics_, end_kinematics_);
-    constexpr int parts = 8;
-    part_ = step_;
-    part_kinematics_ = start_kinematics_;
-    part_end_kinematics_.resize(part_kinematics_.size());
-    for (int k = 1; k <= parts; ++k) {
-      part_.end_phase = step_.start_phase + k * (step_.end_phase - step_.start_phase) / parts;
-      method_->state_at(right_hand_side_, step_, part_.end_phase, part_.end);
-      dynamics_(part_.end, part_.end_rate, part_.end_phase);
-      for (std::size_t i = 0; i < part_kinematics_.size(); ++i)
-        part_end_kinematics_[i] = dynamics_.kinematics(i, part_.end, part_.end_rate);
-      observer.watch(part_, dynamics_, part_kinematics_, part_end_kinematics_);
-      std::swap(part_.start, part_.end);
-      std::swap(part_.start_rate, part_.end_rate);
-      std::swap(part_kinematics_, part_end_kinematics_);
-      part_.start_phase = part_.end_phase;
-    }
-  }
-
   /// Exchanges start and end of the step.
   void turn_around() {
-    std::swap(step_.start, step_.end);
-    std::swap(step_.start_rate, step_.end_rate);
-    std::swap(start_kinematics_, end_kinematics_);
+    step_.turn_around();
+    start_kinematics_.swap(end_kinematics_);
   }
 
   std::optional<Crossing> first_crossing() {
@@ -312,10 +290,6 @@ class AdaptiveRun {
     if (begins) sizes_.begin_contact(crossing->contact, end_kinematics_[crossing->contact].closing_speed);
   }
 
-  static bool finite(const State& state) {
-    return std::all_of(state.begin(), state.end(), [](double value) { return std::isfinite(value); });
-  }
-
   run::Outcome finish(run::TurnReport& report, run::Outcome outcome) const {
     report.effort = effort();
     return outcome;
@@ -335,8 +309,7 @@ class AdaptiveRun {
   bool opened_ = false;  ///< true: the last change of mode was the opening of all
   StepSizes<Law> sizes_{dynamics_, tolerance_};
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
-  Step part_;  ///< part of a step whose peaks are reported, with its kinematics
-  std::vector<contact::Kinematics> part_kinematics_, part_end_kinematics_;
+  StepParts parts_;
   StepSwitches<Law> switches_{dynamics_, step_, end_kinematics_, book_, tangents_, probe_rate_};
 };
 

@@ -35,12 +35,12 @@ class SeriesStep final : public StepMethod {
 
   double variable_at(const Step& step, double phase) override {
     if (!step.knows_modes) return phase;
-    return phase >= end_phase_ ? end_ : motion_.parameter_at(phase - step.start_phase, end_);
+    return phase >= end_phase_ ? end_ : motion_.time().parameter_at(phase - step.start_phase, end_);
   }
   double state_by(RightHandSide& law, const Step& step, double variable, State& out) override {
     if (!step.knows_modes) return other_->state_by(law, step, variable, out);
     motion_.put_state(variable, out.data());
-    return motion_.pace_at(variable);
+    return motion_.time().pace_at(variable);
   }
 
   void restart() override { other_->restart(); }
@@ -59,9 +59,9 @@ class SeriesStep final : public StepMethod {
     end_ = motion_.converged();
     typename taylor::RegularExpansion<N>::Event event;
     if (!motion_.find_event(end_, event)) return false;
-    const double left = step.latest_phase - step.start_phase, advance = motion_.phase_after(end_);
+    const double left = step.latest_phase - step.start_phase, advance = motion_.time().phase_after(end_);
     const double most = std::min(left, motion_.most_rad(end_));
-    if (advance > most) end_ = motion_.parameter_at(most, end_);
+    if (advance > most) end_ = motion_.time().parameter_at(most, end_);
     const double made = std::min(advance, most);
     if (!(made > shortest_rad)) return false;
     motion_.put_state(end_, step.end.data());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -13,6 +15,10 @@ namespace rubsweep::integrate::adaptive {
 
 /// State of a run, and its rate: coordinates, their rates, then further numbers of a law.
 using State = std::vector<double>;
+
+inline bool is_finite(const State& state) {
+  return std::ranges::all_of(state, [](double value) { return std::isfinite(value); });
+}
 
 /// First event inside a step; it ends the step.
 struct Crossing {
@@ -32,6 +38,12 @@ struct Step {
   double latest_phase = 0;           ///< latest end, where the law or its turn ends
   bool knows_modes = false;          ///< true: the method has searched the step for changes of mode
   std::optional<Crossing> ending{};  ///< with `knows_modes`: the change that ends the step, if one does
+
+  /// Exchanges the states and rates of both ends.
+  void turn_around() {
+    start.swap(end);
+    start_rate.swap(end_rate);
+  }
 };
 
 /// Interface of a law for methods: each method is compiled only once, not once for every law.

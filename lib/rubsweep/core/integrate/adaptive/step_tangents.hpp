@@ -85,8 +85,7 @@ class StepTangents final : public RightHandSide {
         continue;
       }
       size_ = size = last ? std::max(size, next) : next;
-      std::swap(inner_.start, inner_.end);
-      std::swap(inner_.start_rate, inner_.end_rate);
+      inner_.turn_around();
       inner_.start_phase = last ? end : inner_.end_phase;
     }
   }

@@ -52,10 +52,11 @@ struct LaneSum {
 void TangentsSideBySide::resize(Eigen::Index numbers, std::size_t count) {
   count_ = count;
   const auto rows = static_cast<Eigen::Index>(count);
-  if (rows <= list_.rows() && numbers == list_.cols()) return;
-  const Eigen::Index capacity = std::max(rows, 2 * list_.rows());
+  const bool as_long = numbers == list_.cols();
+  if (count == 0 || (rows <= list_.rows() && as_long)) return;
+  const Eigen::Index capacity = as_long ? std::max(rows, 2 * list_.rows()) : rows;
   AlignedMatrix larger(capacity, numbers);
-  if (numbers == list_.cols()) {
+  if (as_long) {
     for (Eigen::Index j = 0; j < numbers; ++j)
       std::copy_n(list_.data() + j * list_.stride(), list_.rows(), larger.data() + j * larger.stride());
   }

@@ -14,6 +14,7 @@
 #include "rubsweep/core/integrate/taylor/contact_law.hpp"
 #include "rubsweep/core/integrate/taylor/guard_search.hpp"
 #include "rubsweep/core/integrate/taylor/regular_contact.hpp"
+#include "rubsweep/core/integrate/taylor/regular_time.hpp"
 #include "rubsweep/core/integrate/taylor/step_length.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/core/numerics/matrix_flow.hpp"
@@ -40,6 +41,9 @@ class RegularExpansion {
       laws_.emplace_back(contact);
       contacts_.emplace_back(PowerLaw(contact.law.get(), contact.length_m));
     }
+    for (int k = 0; k <= order; ++k)
+      largest_term_[static_cast<std::size_t>(k)] =
+          k >= order - 1 ? accuracy_ : std::pow(accuracy_, static_cast<double>(k) / order);
     touching_.reserve(contacts_.size());
     pulses_.reserve(system.pulses.size());
   }
@@ -77,13 +81,15 @@ class RegularExpansion {
     const double length = std::max(1.0, size(0, 0)), speed = std::max(1.0, size(n, 0));
     double longest = longest_parameter;
     for (int k = order - most_gap; k <= order; ++k) {
-      const double term = std::max(size(0, k) / length, size(n, k) / speed), largest = largest_term(k);
+      const double term = std::max(size(0, k) / length, size(n, k) / speed),
+                   largest = largest_term_[static_cast<std::size_t>(k)];
       if (!std::isfinite(term)) return 0;
       longest = numerics::longest_below(longest, term, k, largest);
     }
     for (int k = order - most_gap; pacer_ && k <= order; ++k) {
       const double root = pacer_->root()[0] + std::abs(pacer_->root()[1]) * longest;
-      longest = numerics::longest_below(longest, std::abs(pacer_->root()[k]), k, largest_term(k) * root);
+      longest = numerics::longest_below(longest, std::abs(pacer_->root()[k]), k,
+                                        largest_term_[static_cast<std::size_t>(k)] * root);
     }
     for (RegularContact& contact : contacts_)
       longest = guards_converged_rad(contact, order, accuracy_, longest);
@@ -117,31 +123,7 @@ class RegularExpansion {
     return true;
   }
 
-  /// Advance of the phase up to s, and its inverse for an advance within s = `end`.
-  double phase_after(double s) const {
-    double sum = 0;
-    for (int k = order - 1; k >= 0; --k) sum = sum * s + pace_[k] * numerics::one_over(k + 1);
-    return sum * s;
-  }
-  double pace_at(double s) const {
-    double sum = 0;
-    for (int k = order - 1; k >= 0; --k) sum = sum * s + pace_[k];
-    return sum;
-  }
-  double parameter_at(double advance_rad, double end) const {
-    if (advance_rad <= 0) return 0;
-    if (phase_after(end) <= advance_rad) return end;
-    double low = 0, high = end, s = end;
-    for (int k = 0; k < most_iterations && high - low > 1e-16 * end; ++k) {
-      const double excess = phase_after(s) - advance_rad;
-      if (excess == 0) return s;
-      (excess > 0 ? high : low) = s;
-      const double next = s - excess / pace_at(s);
-      if (std::abs(next - s) <= 1e-16 * end) return s;
-      s = next > low && next < high ? next : (low + high) / 2;
-    }
-    return s;
-  }
+  const RegularTime& time() const { return time_; }
 
   /// Writes u then u' at s.
   void put_state(double s, double* to) const {
@@ -155,15 +137,9 @@ class RegularExpansion {
   static constexpr int order = numerics::most_taylor_order;
   static constexpr int rows = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N + 2;
   using Column = Eigen::Matrix<double, rows, 1>;
-  static constexpr int most_iterations = 200;
   /// Without other forces, only each fifth term (with n = 2.5 each seventh) of a series is not zero.
   static constexpr int most_gap = 6;
   static constexpr double longest_parameter = 1e6;
-
-  /// Largest term k of a converged series: the accuracy for the last two, as much by their growth for others.
-  double largest_term(int k) const {
-    return k >= order - 1 ? accuracy_ : std::pow(accuracy_, static_cast<double>(k) / order);
-  }
 
   void start_pulses(double phase_rad, const run::PulseTimes& pulses) {
     pulses_.clear();
@@ -244,18 +220,18 @@ class RegularExpansion {
 
   /// Computes coefficient k of the pace, then coefficient k + 1 of everything whose rate is known.
   void advance(int k) {
-    pace_.set(k, pacer_ ? pacer_->root()[k] : k == 0 ? 1 : 0);
+    time_.pace.set(k, pacer_ ? pacer_->root()[k] : k == 0 ? 1 : 0);
     const double next = numerics::one_over(k + 1);
-    Column sum = pace_[0] * rate_.col(k);
-    for (int j = 0; j < k && pacer_; ++j) sum += pace_[k - j] * rate_.col(j);
+    Column sum = time_.pace[0] * rate_.col(k);
+    for (int j = 0; j < k && pacer_; ++j) sum += time_.pace[k - j] * rate_.col(j);
     state_.col(k + 1) = sum * next;
     for (ActingPulse& pulse : pulses_) {
       const double by = system_.pulses[pulse.index].rate * next;
-      const double sine = by * numerics::product_term(pace_, pulse.cosine, k);
-      pulse.cosine.set(k + 1, -by * numerics::product_term(pace_, pulse.sine, k));
+      const double sine = by * numerics::product_term(time_.pace, pulse.cosine, k);
+      pulse.cosine.set(k + 1, -by * numerics::product_term(time_.pace, pulse.sine, k));
       pulse.sine.set(k + 1, sine);
     }
-    for (const std::size_t i : touching_) contacts_[i].advance(k, pacer_ ? &pace_ : nullptr);
+    for (const std::size_t i : touching_) contacts_[i].advance(k, pacer_ ? &time_.pace : nullptr);
   }
 
   /// Fastest rate per radian of the structure with the touching contacts, up to s = `end`.
@@ -264,7 +240,7 @@ class RegularExpansion {
     for (const std::size_t i : touching_) {
       const RegularContact& c = contacts_[i];
       double deepest = std::max(0.0, c.penetration_term(0));
-      if (c.is_pace()) deepest = std::max(deepest, std::pow(pace_at(end), 2));
+      if (c.is_pace()) deepest = std::max(deepest, std::pow(time_.pace_at(end), 2));
       square += c.power().slope(deepest) * laws_[i].mobility;
       linear += c.impact_damping() * c.power().force_n(deepest) * laws_[i].mobility;
     }
@@ -302,14 +278,16 @@ class RegularExpansion {
 
   const run::ScaledSystem<N>& system_;
   double accuracy_, structure_rate_;
+  /// Largest term k of a converged series: the accuracy for the last two, as much by their growth for others.
+  std::array<double, order + 1> largest_term_{};
   std::vector<ContactLaw> laws_;
   std::vector<RegularContact> contacts_;
   std::vector<std::size_t> touching_;
   const RegularContact* pacer_ = nullptr;  ///< contact whose root is the pace; null: the pace is 1
   std::vector<ActingPulse> pulses_;
-  numerics::Series pace_;
+  RegularTime time_;
   Eigen::Matrix<double, rows, order + 1> state_;  ///< coefficients of u, u', cosine and sine of the phase
-  Eigen::Matrix<double, rows, order> rate_;       ///< of their rates by the phase
+  Eigen::Matrix<double, rows, order> rate_;       ///< coefficients of the rates by the phase
 };
 
 }  // namespace rubsweep::integrate::taylor
