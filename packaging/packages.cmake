@@ -40,7 +40,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "libboost1.81-dev, libboost-program-options1.81-dev, libeigen3-dev, libfftw3-dev, libtbb-dev, "
   "libyaml-cpp-dev, libfmt-dev, zlib1g-dev, libtomlplusplus-dev, nlohmann-json3-dev, libceres-dev, "
-  "libsndfile1-dev, pkg-config")
+  "libsndfile1-dev, nettle-dev, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS rubsweep)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "library of rubsweep: headers, archives, CMake package
 Headers and static libraries of the simulator of rotors that rub, and a CMake

@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(g++ cmake ninja-build pkg-config git
   libboost1.81-dev libboost-program-options1.81-dev libeigen3-dev libfftw3-dev libtbb-dev libyaml-cpp-dev libfmt-dev
   libtomlplusplus-dev nlohmann-json3-dev zlib1g-dev libhdf5-dev libmatio-dev libsndfile1-dev libceres-dev node-d3 libgtest-dev
-  libbenchmark-dev libopenmpi-dev openmpi-bin fonts-dejavu-core "$@")
+  nettle-dev libbenchmark-dev libopenmpi-dev openmpi-bin fonts-dejavu-core "$@")
 # Any Python from 3.9 on will do, wherever it comes from.
 python3 -c 'import sys; sys.exit(sys.version_info < (3, 9))' 2>/dev/null || packages+=(python3)
 # Any flavour of gnuplot will do, and they exclude each other.

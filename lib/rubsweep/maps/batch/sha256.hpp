@@ -1,27 +1,23 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <nettle/sha2.h>
+
 #include <string>
 #include <string_view>
 
 namespace rubsweep::batch {
 
-/// SHA-256 of a text that is added in pieces (FIPS 180-4), equal to the output of `sha256sum`.
+/// SHA-256 of a text that is added in pieces, equal to the output of `sha256sum`.
 class Sha256 {
  public:
+  Sha256() { sha256_init(&state_); }
   void add(std::string_view text);
 
   /// Digest of all added text, 64 hexadecimal digits. Nothing may be added afterwards.
   std::string digits();
 
  private:
-  void take_block(const unsigned char* block);
-
-  std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                                      0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-  std::array<unsigned char, 64> waiting_{};  ///< bytes of an incomplete block
-  std::uint64_t bytes_ = 0;
+  sha256_ctx state_;
 };
 
 std::string sha256_of(std::string_view text);  ///< Digest of a whole text.
