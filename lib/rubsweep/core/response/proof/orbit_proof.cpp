@@ -99,7 +99,8 @@ TurnMap OrbitProof::at_tight_tolerance(double tangent_accuracy) {
 }
 
 std::optional<motion::ProvenMotion> OrbitProof::prove(std::span<const double> section, int order) {
-  const auto orbit = find_orbit(at_tight_tolerance(), at_tight_tolerance(rough_accuracy), section, order);
+  const TurnMap roughly = at_tight_tolerance(rough_accuracy);
+  const auto orbit = find_orbit(at_tight_tolerance(), section, order, &roughly);
   if (!orbit) return std::nullopt;
   const auto proof = converges(section, *orbit);
   if (!proof) return std::nullopt;
