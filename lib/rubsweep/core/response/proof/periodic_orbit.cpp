@@ -7,7 +7,6 @@
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/numerics/newton.hpp"
-#include "rubsweep/core/numerics/twin.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -27,18 +26,6 @@ double largest_difference(const double* a, const double* b, std::size_t count, d
     largest = difference > largest ? difference : largest;
   }
   return largest;
-}
-
-constexpr int at_once = 4;  ///< numbers that are compared at once
-
-/// Whether one of these numbers may be within `close_enough` of `number`.
-bool one_is_near(const double* numbers, double number) {
-  const auto far = [&](int from) {
-    return numerics::magnitudes(numerics::load(numbers + from) - numerics::both(number)) >=
-           numerics::both(close_enough);
-  };
-  const auto all_far = far(0) & far(2);
-  return (all_far[0] & all_far[1]) == 0;
 }
 
 using Eigen::MatrixXd;
@@ -129,7 +116,6 @@ PeriodSearch::PeriodSearch(std::size_t states, int largest_order)
       largest_(largest_order),
       kept_(2 * largest_order + 1),
       rows_(states * static_cast<std::size_t>(kept_)),
-      firsts_(2 * static_cast<std::size_t>(kept_) + at_once),
       tried_(static_cast<std::size_t>(largest_order) + 1, Tried{close_enough, 0}) {}
 
 /// The section `ago` turns before the latest, ago < kept_.
@@ -138,12 +124,14 @@ const double* PeriodSearch::row(int ago) const {
   return rows_.data() + static_cast<std::size_t>(slot) * states_;
 }
 
+const double* PeriodSearch::before(const double* row) const {
+  return (row == rows_.data() ? rows_.data() + rows_.size() : row) - states_;
+}
+
 void PeriodSearch::add(std::span<const double> section, bool touched) {
   if (++newest_ == kept_) newest_ = 0;
   std::copy(section.begin(), section.end(),
             rows_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(newest_) * states_));
-  double* const first = firsts_.data() + (kept_ - 1 - newest_);
-  first[0] = first[kept_] = section[0];
   if (touched) last_touch_ = turns_;
   ++turns_;
 }
@@ -156,11 +144,12 @@ double PeriodSearch::return_error(int order, double worst, int ago) const {
 std::optional<int> PeriodSearch::candidate() const {
   const int known = static_cast<int>(std::min<long>(largest_, turns_ - 1));
   if (last_touch_ < turns_ - known) return std::nullopt;  // too long without contact for any order
+  const double* const last = row(0);
+  const double* then = last;
   for (int n = 1; n <= known; ++n) {
+    then = before(then);
     // The first number alone excludes most orders.
-    while (n <= known && !one_is_near(firsts() + n, firsts()[0])) n += at_once;
-    if (n > known) break;
-    const double error = return_error(n, close_enough);
+    const double error = largest_difference(last, then, states_, close_enough);
     if (error < close_enough && is_due(n, error) && closest(n, error) && contracts(n, error)) return n;
   }
   return std::nullopt;

@@ -30,9 +30,7 @@ class PeriodSearch {
   bool closest(int order, double error) const;
   bool contracts(int order, double error) const;
   const double* row(int ago) const;
-  const double* firsts() const {
-    return firsts_.data() + (kept_ - 1 - newest_);
-  }  ///< from the latest section on
+  const double* before(const double* row) const;
 
   struct Tried {
     double below = 0;
@@ -44,8 +42,6 @@ class PeriodSearch {
   int newest_ = -1;  ///< slot of the latest section
   long turns_ = 0, last_touch_ = -1;
   std::vector<double> rows_;  ///< the last kept_ sections, as a circular buffer
-  /// First numbers of the same sections from the latest to the earliest, twice, so that they lie in one row.
-  std::vector<double> firsts_;
   std::vector<Tried> tried_;  ///< attempts, by order
 };
 
@@ -77,7 +73,7 @@ inline constexpr double on_the_orbit = 1e-6;
 /// multiplier of the monodromy matrix is too large for a stable orbit nearby: above 1.2 at the transient,
 /// above 1 at an iterate. An orbit that returns after fewer turns is reported with this smaller number.
 /// Whether the transient converges to the orbit is tested separately, see `comes_near`.
-/// `roughly`: the same turn with derivatives accurate to about 1e-6, for the first steps.
+/// `roughly`, unless null: the same turn with derivatives accurate to about 1e-6, for the first steps.
 std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const double> section, int order,
                                       const TurnMap* roughly = nullptr);
 
