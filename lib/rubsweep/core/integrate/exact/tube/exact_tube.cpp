@@ -21,7 +21,8 @@ namespace {
 /// Spectral norm of a matrix; infinite where the matrix is not finite.
 double spectral_norm(const Eigen::MatrixXd& matrix) {
   if (matrix.size() == 0) return 0;
-  const Eigen::MatrixXd square = matrix.transpose() * matrix;
+  const Eigen::MatrixXd narrow = matrix.rows() < matrix.cols() ? matrix.transpose() : matrix;
+  const Eigen::MatrixXd square = narrow.transpose() * narrow;
   if (!square.allFinite()) return std::numeric_limits<double>::infinity();
   const Eigen::VectorXd squares = numerics::dense::self_adjoint_eigenvalues(square);
   if (!squares.allFinite()) return std::numeric_limits<double>::infinity();

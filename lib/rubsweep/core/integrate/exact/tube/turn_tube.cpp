@@ -46,9 +46,8 @@ std::optional<TurnTube::Window> TurnTube::window_of(const Switch& change, const 
   return window;
 }
 
-std::optional<std::span<const TurnTube::Window>> TurnTube::windows(const Parts& radii) const {
-  thread_local std::vector<Window> found;
-  found.clear();
+std::optional<std::vector<TurnTube::Window>> TurnTube::windows(const Parts& radii) const {
+  std::vector<Window> found;
   double free_from_s = 0;
   std::size_t next = 0;
   const auto margins_hold = [&](std::size_t end) {
@@ -65,7 +64,7 @@ std::optional<std::span<const TurnTube::Window>> TurnTube::windows(const Parts& 
     found.push_back(*window);
   }
   if (!(free_from_s < period_s) || !margins_hold(margins.size())) return std::nullopt;
-  return std::span<const Window>(found);
+  return found;
 }
 
 bool TurnTube::holds(const Parts& radii) const { return windows(radii).has_value(); }

@@ -90,8 +90,7 @@ struct TurnTube {
   struct Window {
     double distance = 0, window_s = 0, deflection = 0;
   };
-  /// Windows of all changes of mode, valid until the thread's next call.
-  std::optional<std::span<const Window>> windows(const Parts& radii) const;
+  std::optional<std::vector<Window>> windows(const Parts& radii) const;
   static std::optional<Window> window_of(const Switch& change, const Parts& radii,
                                          std::span<const Window> before);
   static double width(const Spread& spread, const Parts& radii, std::span<const Window> before);
