@@ -36,12 +36,12 @@ void add_key_questions(po::options_description& options) {
       "schema", "instead: print the JSON Schema of a configuration, for an editor that completes and checks");
 }
 
-std::optional<std::string> key_answer(const po::variables_map& given, const config::keys::Form& configuration,
+std::optional<std::string> key_answer(const po::variables_map& given, config::keys::Form (*configuration)(),
                                       std::string_view title) {
   if (given.count("help") != 0 || given.count("version") != 0) return std::nullopt;
-  if (asks_for("schema", given)) return schema_of(configuration, title);
+  if (asks_for("schema", given)) return schema_of(configuration(), title);
   if (!asks_for("keys", given, "config")) return std::nullopt;
-  return keys_below(key_list(configuration),
+  return keys_below(key_list(configuration()),
                     given.count("config") != 0 ? given["config"].as<std::string>() : "");
 }
 

@@ -32,7 +32,7 @@ RingstabArguments parse_ringstab_arguments(int argc, const char* const* argv) {
     verification.quiet = given.count("quiet") != 0;
     return verification;
   }
-  if (auto answer = key_answer(given, config::ring::ring_form(), "Configuration of ringstab")) {
+  if (auto answer = key_answer(given, config::ring::ring_form, "Configuration of ringstab")) {
     RingstabArguments question;
     question.key_answer = std::move(answer);
     return question;

@@ -115,7 +115,7 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
     watch.watched = given["watch"].as<std::string>();
     return watch;
   }
-  if (auto answer = key_answer(given, config::run_form(), "Configuration of rubsweep")) {
+  if (auto answer = key_answer(given, config::run_form, "Configuration of rubsweep")) {
     RubsweepArguments question;
     question.key_answer = std::move(answer);
     return question;

@@ -32,6 +32,16 @@ TEST(PeriodicOrbitPeriodSearch, NamesThePeriodOfADecayingTransient) {
   }
 }
 
+/// The sections kept go around in their memory several times.
+TEST(PeriodicOrbitPeriodSearch, FindsAPeriodWheneverItBegins) {
+  const auto at_once = first_candidate([](int t) { return decaying(t, 7); });
+  for (int before = 1; before < 60; ++before) {
+    const auto late = first_candidate([=](int t) { return t < before ? 10.0 + t : decaying(t - before, 7); });
+    EXPECT_EQ(late.second, 7);
+    EXPECT_EQ(late.first, before + at_once.first);
+  }
+}
+
 TEST(PeriodicOrbitPeriodSearch, AMotionThatLeavesAPeriodicOneIsNoCandidate) {
   const auto leaving = [](int t) { return 0.3 * (t % 2) + 1e-9 * std::pow(1.05, t); };
   EXPECT_EQ(first_candidate(leaving).second, 0);
@@ -132,7 +142,7 @@ TEST(PeriodicOrbitFind, GoesByRoughDerivativesUntilItIsNear) {
     if (disturbances) ++exact;
     return logistic(r)(s, disturbances);
   };
-  const auto orbit = find_orbit(turn, roughly, {&section, 1}, 1);
+  const auto orbit = find_orbit(turn, {&section, 1}, 1, &roughly);
   ASSERT_TRUE(orbit);
   EXPECT_NEAR(orbit->sections[0](0), 1 - 1 / r, 1e-15);
   EXPECT_NEAR(orbit->floquet_modulus, std::abs(2 - r), 1e-13);
@@ -142,7 +152,7 @@ TEST(PeriodicOrbitFind, GoesByRoughDerivativesUntilItIsNear) {
   // A transient that is already on the orbit needs no first steps, but its derivative must be exact, too.
   rough = exact = 0;
   const double there = 1 - 1 / r;
-  const auto at_once = find_orbit(turn, roughly, {&there, 1}, 1);
+  const auto at_once = find_orbit(turn, {&there, 1}, 1, &roughly);
   ASSERT_TRUE(at_once);
   EXPECT_NEAR(at_once->floquet_modulus, std::abs(2 - r), 1e-13);
   EXPECT_EQ(rough, 1);

@@ -51,6 +51,32 @@ TEST(SectionMapScene, EndsWithItsBudget) {
   }
 }
 
+/// A continued motion differs from one that starts afresh at every section by rounding alone. From any other
+/// section it starts afresh.
+TEST(SectionMapScene, GoesOnAsItWouldStartAfresh) {
+  const auto cell = test::cell_of({});
+  integrate::exact::modes::ModeCache modes;
+  SceneMap map(cell.scene, {}, modes);
+  std::vector<double> afresh = section_after(cell.scene, 3, {}), continued = afresh;
+  const std::vector<double> start = afresh;
+  std::vector<std::vector<double>> sections;
+  for (int turn = 0; turn < 20; ++turn) {
+    ASSERT_TRUE(map(afresh));
+    sections.push_back(afresh);
+  }
+  int equal_bits = 0;
+  for (const std::vector<double>& section : sections) {
+    ASSERT_TRUE(map.go_on(continued));
+    equal_bits += continued == section;
+    for (std::size_t i = 0; i < section.size(); ++i) EXPECT_NEAR(continued[i], section[i], 1e-9) << i;
+  }
+  EXPECT_GE(equal_bits, 1);  // the first turn starts afresh in both
+  EXPECT_LT(equal_bits, 20);
+  continued = start;
+  ASSERT_TRUE(map.go_on(continued));
+  EXPECT_EQ(continued, sections.front());
+}
+
 /// A section in contact does not contain the speed at which the contact began, which determines the following
 /// turn.
 TEST(SectionMapScene, AContactDampedByItsOwnImpactIsFollowedInTheAirAlone) {

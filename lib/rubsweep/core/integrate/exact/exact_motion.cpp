@@ -19,7 +19,8 @@ template <int N>
 ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes)
     : machine_(std::move(modes)),
       scale_(run::state_scale(scene)),
-      drives_(scene, machine_->inverse_mass(), machine_->system()) {
+      drives_(scene, machine_->inverse_mass(), machine_->system()),
+      responses_(machine_->responses_to(drives_.unbalance().acceleration, drives_.unbalance().rate)) {
   now_.phasors.pulses.reserve(drives_.pulses().size());
   now_.free.resize(2 * drives_.unbalance().acceleration.size());
 }
@@ -55,7 +56,7 @@ bool ExactMotion<N>::change(std::size_t joint) {
       cell_ = &cells_[mode_->index];
     }
     if (drives_.acting().empty() && prepare(*next, cells_[next->index])) {
-      const Transition& way = transition(*next);
+      const auto& way = transition(*next);
       tangents_.change(*mode_, way.change->by);
       State z;
       numerics::put_product(way.change->by, now_.free, z);
@@ -72,30 +73,33 @@ bool ExactMotion<N>::change(std::size_t joint) {
 }
 
 template <int N>
-const typename ExactMotion<N>::Transition& ExactMotion<N>::transition(const modes::LinearMode<N>& to) {
+const typename modes::UnbalanceResponses<N>::Transition& ExactMotion<N>::transition(
+    const modes::LinearMode<N>& to) {
   const std::size_t from = mode_->index;
-  if (transitions_.size() <= from) transitions_.resize(from + 1);
-  if (transitions_[from].size() <= to.index) transitions_[from].resize(to.index + 1);
-  Transition& way = transitions_[from][to.index];
+  auto& ways = responses_->transitions;
+  if (ways.size() <= from) ways.resize(from + 1);
+  if (ways[from].size() <= to.index) ways[from].resize(to.index + 1);
+  auto& way = ways[from][to.index];
   if (way.change == nullptr)
     way = {&machine_->change(*mode_, to),
-           modes::make_harmonic_change(to, cells_[from].shaft.response, cells_[to.index].shaft.response)};
+           modes::make_harmonic_change(to, cell_->shaft->response, cells_[to.index].shaft->response)};
   return way;
 }
 
 template <int N>
-bool ExactMotion<N>::prepare(const modes::LinearMode<N>& mode, ModeCell& cell) const {
-  const auto make = [&](ModeResponse& response, const Drive& drive) {
-    if (!response.made)
-      response.usable =
-          modes::make_harmonic_response(mode, drive.acceleration, drive.rate, response.response);
-    response.made = true;
-    return response.usable;
-  };
-  if (!drives_.acting().empty()) cell.pulses.resize(drives_.pulses().size());
-  if (!make(cell.shaft, drives_.unbalance())) return false;
-  return std::ranges::all_of(drives_.acting(),
-                             [&](std::size_t i) { return make(cell.pulses[i], drives_.pulses()[i]); });
+bool ExactMotion<N>::prepare(const modes::LinearMode<N>& mode, ModeCell& cell) {
+  if (cell.shaft == nullptr) cell.shaft = &responses_->of(mode);
+  if (drives_.acting().empty()) return cell.shaft->usable;
+  cell.pulses.resize(drives_.pulses().size());
+  return cell.shaft->usable && std::ranges::all_of(drives_.acting(), [&](std::size_t i) {
+           ModeResponse& response = cell.pulses[i];
+           const Drive& drive = drives_.pulses()[i];
+           if (!response.made)
+             response.usable =
+                 modes::make_harmonic_response(mode, drive.acceleration, drive.rate, response.response);
+           response.made = true;
+           return response.usable;
+         });
 }
 
 template <int N>

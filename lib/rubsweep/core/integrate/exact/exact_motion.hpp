@@ -186,33 +186,24 @@ class ExactMotion {
     Phasors turns;
   };
 
-  struct ModeResponse {
-    bool made = false, usable = false;
-    modes::HarmonicResponse<N> response;
-  };
-
-  /// Precomputed transition from one mode to another.
-  struct Transition {
-    const modes::ModeChange<N>* change = nullptr;  ///< null: not yet made
-    modes::HarmonicChange<N> unbalance;
-  };
+  using ModeResponse = typename modes::UnbalanceResponses<N>::OfMode;
 
   struct ModeCell {
-    ModeResponse shaft;
+    ModeResponse* shaft = nullptr;       ///< null: not yet prepared
     std::vector<ModeResponse> pulses{};  ///< each made when first needed in the mode
     PairFlow interval;
   };
 
   /// Highest angular frequency of the free vibration and of the acting forces.
   double fastest_rad_per_s() const { return drives_.fastest_rad_per_s(mode_->fastest_rad_per_s); }
-  bool prepare(const modes::LinearMode<N>& mode, ModeCell& cell) const;
+  bool prepare(const modes::LinearMode<N>& mode, ModeCell& cell);
   /// Transition from the present mode to `to`, whose cell must be prepared.
-  const Transition& transition(const modes::LinearMode<N>& to);
+  const typename modes::UnbalanceResponses<N>::Transition& transition(const modes::LinearMode<N>& to);
   /// Calls `visit` with the response of `cell` to each acting force and its phasor.
   template <class Visit>
   void for_each_response(const ModeCell& cell, const Instant& instant, const Visit& visit) const {
     const auto& acting = drives_.acting();
-    visit(cell.shaft.response, instant.phasors.shaft);
+    visit(cell.shaft->response, instant.phasors.shaft);
     for (std::size_t k = 0; k < acting.size(); ++k)
       visit(cell.pulses[acting[k]].response, instant.phasors.pulses[k]);
   }
@@ -223,8 +214,8 @@ class ExactMotion {
   std::shared_ptr<modes::MachineModes<N>> machine_;
   run::StateScale scale_;  ///< scale of sections
   Drives drives_;
+  std::shared_ptr<modes::UnbalanceResponses<N>> responses_;
   std::vector<ModeCell> cells_;
-  std::vector<std::vector<Transition>> transitions_;  ///< transitions by the indices of both modes
   const modes::LinearMode<N>* mode_ = nullptr;
   ModeCell* cell_ = nullptr;
   std::size_t joint_ = 0;
@@ -250,7 +241,7 @@ inline typename ExactMotion<N>::Forced ExactMotion<N>::forced_guard(std::size_t 
   };
   const auto& acting = drives_.acting();
   Forced forced{
-      .shaft = of(cell_->shaft.response, now_.phasors.shaft), .pulses = {}, .pulsed = !acting.empty()};
+      .shaft = of(cell_->shaft->response, now_.phasors.shaft), .pulses = {}, .pulsed = !acting.empty()};
   for (std::size_t k = 0; k < acting.size(); ++k)
     Forced::add(of(cell_->pulses[acting[k]].response, now_.phasors.pulses[k]), forced.pulses);
   return forced;
@@ -279,7 +270,7 @@ inline void ExactMotion<N>::turn_by_table(Phasors& phasors, std::size_t table_st
   const auto turn = [&](ModeResponse& of, Complex& phasor) {
     phasor = modes::product(phasor, of.response.turned_by(table_step, mode_->longest_step_s));
   };
-  turn(cell_->shaft, phasors.shaft);
+  turn(*cell_->shaft, phasors.shaft);
   const auto& acting = drives_.acting();
   for (std::size_t k = 0; k < acting.size(); ++k) turn(cell_->pulses[acting[k]], phasors.pulses[k]);
 }

@@ -169,6 +169,27 @@ run::Outcome ExactRun<N>::end_turn(run::TurnReport& report) {
   return run::Outcome::ok;
 }
 
+// Both are rare, and would make the call after every step dear.
+template <int N>
+[[gnu::noinline]] void ExactRun<N>::look_for_reversal(run::TurnReport& report, double duration_s) {
+  report.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
+}
+template <int N>
+[[gnu::noinline]] void ExactRun<N>::watch_step(run::TurnReport& report, double duration_s) {
+  watch_.end_step(motion_, clock_.time(), duration_s, report);
+}
+
+template <int N>
+[[gnu::always_inline]] inline void ExactRun<N>::passed(run::TurnReport& report, double duration_s) {
+  clock_.go_on(duration_s);
+  if (motion_.joint() != 0) {
+    slip_.advance(duration_s);
+    if (slip_.may_reverse()) look_for_reversal(report, duration_s);
+    run::add_contact(clock_.turns(duration_s), report);
+  }
+  if (watch_.wanted()) watch_step(report, duration_s);
+}
+
 /// Takes steps until an event ends them; takes only a single step if something must be observed.
 template <int N>
 run::Outcome ExactRun<N>::go_on(run::TurnReport& report) {
@@ -241,18 +262,6 @@ bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
   if (!enter_by_state(here)) return false;
   note_switches(from, motion_.joint(), motion_.mode().modes.size(), clock_.phase_rad(), book_, report);
   return begin_motion(here);
-}
-
-template <int N>
-void ExactRun<N>::passed(run::TurnReport& report, double duration_s) {
-  clock_.go_on(duration_s);
-  if (motion_.joint() != 0) {
-    slip_.advance(duration_s);
-    if (slip_.may_reverse())
-      report.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
-    run::add_contact(clock_.turns(duration_s), report);
-  }
-  watch_.end_step(motion_, clock_.time(), duration_s, report);
 }
 
 template <int N>

@@ -83,6 +83,8 @@ class ExactRun {
   bool pass_boundary(run::TurnReport& report);
   bool apply_impulses(run::TurnReport& report);
   void passed(run::TurnReport& report, double duration_s);
+  void look_for_reversal(run::TurnReport& report, double duration_s);
+  void watch_step(run::TurnReport& report, double duration_s);
   void land(run::TurnReport& report, std::size_t guard, double latest_s);
   bool switch_mode(run::TurnReport& report, std::size_t guard);
   bool begin_motion(const State& here);
@@ -109,10 +111,5 @@ class ExactRun {
   State here_;                 ///< unscaled state at that point
   Handover handover_;
 };
-
-extern template class ExactRun<2>;
-extern template class ExactRun<4>;
-extern template class ExactRun<6>;
-extern template class ExactRun<Eigen::Dynamic>;
 
 }  // namespace rubsweep::integrate::exact

@@ -84,6 +84,10 @@ class PeakWatch {
     return numerics::cubic_maximum(a.value, duration_s * a.rate, b.value, duration_s * b.rate);
   }
 
+  static void raise(double& known, const ValueAndRate& a, const ValueAndRate& b, double duration_s) {
+    known = numerics::larger_maximum(known, a.value, duration_s * a.rate, b.value, duration_s * b.rate);
+  }
+
   /// Upper bound of all cubics through values and rates of both ends: the largest weight of a rate is 4 / 27.
   static double ceiling(const ValueAndRate& a, const ValueAndRate& b, double duration_s) {
     return std::max(a.value, b.value) + 0.1482 * duration_s * (std::abs(a.rate) + std::abs(b.rate));
@@ -116,11 +120,11 @@ class PeakWatch {
         motion.ahead_by_table(at_, k);
         const auto there = motion.casing(c, at_);
         const ValueAndRate to = square_of(there.displacement, there.velocity);
-        square = std::max(square, largest(from, to, size_s));
+        raise(square, from, to, size_s);
         from = to;
       }
     }
-    square = std::max(square, largest(from, square_of(casing.map, end), left_s));
+    raise(square, from, square_of(casing.map, end), left_s);
     known_m = std::max(known_m, length_m_ * std::sqrt(square));
   }
 

@@ -24,12 +24,12 @@ void TangentVectors<N>::begin(const modes::LinearMode<N>& mode, const run::State
                               const Eigen::MatrixXd& vectors) {
   lag_s_ = 0;
   const auto count = static_cast<std::size_t>(vectors.cols());
-  if constexpr (N == Eigen::Dynamic) {
-    const bool side_by_side = count >= fewest_side_by_side;
-    if (side_by_side && !std::holds_alternative<TangentsSideBySide>(vectors_))
-      vectors_ = TangentsSideBySide();
-    else if (count > 0 && !side_by_side && std::holds_alternative<TangentsSideBySide>(vectors_))
-      vectors_ = TangentsOneByOne<N>();
+  const bool side_by_side = count >= fewest_side_by_side;
+  if (count > 0 && side_by_side != std::holds_alternative<TangentsSideBySide<N>>(vectors_)) {
+    if (side_by_side)
+      vectors_.template emplace<TangentsSideBySide<N>>();
+    else
+      vectors_.template emplace<TangentsOneByOne<N>>();
   }
   std::visit(
       [&](auto& list) {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -45,15 +44,8 @@ class TangentVectors {
   void catch_up(const modes::LinearMode<N>& mode);
 
   /// Vectors in the coordinates of the mode.
-  std::conditional_t<N == Eigen::Dynamic, std::variant<TangentsOneByOne<N>, TangentsSideBySide>,
-                     std::variant<TangentsOneByOne<N>>>
-      vectors_;
+  std::variant<TangentsOneByOne<N>, TangentsSideBySide<N>> vectors_;
   double lag_s_ = 0;  ///< time by which they are behind the state
 };
-
-extern template class TangentVectors<2>;
-extern template class TangentVectors<4>;
-extern template class TangentVectors<6>;
-extern template class TangentVectors<Eigen::Dynamic>;
 
 }  // namespace rubsweep::integrate::exact

@@ -47,9 +47,19 @@ struct LaneSum {
   }
 };
 
+template <class Factor>
+Eigen::Index stride_of(const Factor& matrix) {
+  if constexpr (requires { matrix.stride(); }) {
+    return matrix.stride();
+  } else {
+    return matrix.outerStride();
+  }
+}
+
 }  // namespace
 
-void TangentsSideBySide::resize(Eigen::Index numbers, std::size_t count) {
+template <int N>
+void TangentsSideBySide<N>::resize(Eigen::Index numbers, std::size_t count) {
   count_ = count;
   const auto rows = static_cast<Eigen::Index>(count);
   const bool as_long = numbers == list_.cols();
@@ -65,33 +75,39 @@ void TangentsSideBySide::resize(Eigen::Index numbers, std::size_t count) {
   forces_ = AlignedMatrix(capacity, numbers);
 }
 
-SideBySide TangentsSideBySide::view(AlignedMatrix& of) const {
+template <int N>
+SideBySide TangentsSideBySide<N>::view(AlignedMatrix& of) const {
   return {of.data(), of.stride(), static_cast<std::ptrdiff_t>(count_)};
 }
 
-void TangentsSideBySide::set(std::size_t i, const State& z) {
+template <int N>
+void TangentsSideBySide<N>::set(std::size_t i, const State& z) {
   for (Eigen::Index j = 0; j < z.size(); ++j)
     list_.data()[j * list_.stride() + static_cast<Eigen::Index>(i)] = z(j);
 }
 
-TangentsSideBySide::State TangentsSideBySide::get(std::size_t i) const {
+template <int N>
+typename TangentsSideBySide<N>::State TangentsSideBySide<N>::get(std::size_t i) const {
   State z(list_.cols());
   for (Eigen::Index j = 0; j < z.size(); ++j)
     z(j) = list_.data()[j * list_.stride() + static_cast<Eigen::Index>(i)];
   return z;
 }
 
-void TangentsSideBySide::move(const Types::Pairs& flow) {
+template <int N>
+void TangentsSideBySide<N>::move(const typename Types::Pairs& flow) {
   numerics::move_pairs_of_each(flow.rows(), flow.data(), view(list_));
 }
 
-void TangentsSideBySide::move(const Types::Factor& flow) {
-  numerics::multiply_each(flow.rows(), flow.cols(), flow.data(), flow.stride(), view(list_), view(moved_));
+template <int N>
+void TangentsSideBySide<N>::move(const typename Types::Factor& flow) {
+  numerics::multiply_each(flow.rows(), flow.cols(), flow.data(), stride_of(flow), view(list_), view(moved_));
   std::swap(list_, moved_);
 }
 
 /// The same series as for one state with full matrices.
-void TangentsSideBySide::move_by_series(const Linear& mode, double duration_s) {
+template <int N>
+void TangentsSideBySide<N>::move_by_series(const Linear& mode, double duration_s) {
   const Eigen::Index n = mode.rest.size();
   const int terms = numerics::series_terms(std::abs(duration_s) * mode.fastest_rad_per_s);
   std::copy_n(list_.data(), list_.cols() * list_.stride(), moved_.data());
@@ -104,18 +120,21 @@ void TangentsSideBySide::move_by_series(const Linear& mode, double duration_s) {
   }
 }
 
-void TangentsSideBySide::change_by(const Types::Factor& matrix, bool diagonal) {
+template <int N>
+void TangentsSideBySide<N>::change_by(const typename Types::Factor& matrix, bool diagonal) {
   if (!diagonal) return move(matrix);
-  numerics::scale_each(matrix.rows(), matrix.data(), matrix.stride() + 1, view(list_));
+  numerics::scale_each(matrix.rows(), matrix.data(), stride_of(matrix) + 1, view(list_));
 }
 
-void TangentsSideBySide::change(const Linear& from, const Linear& to) {
+template <int N>
+void TangentsSideBySide<N>::change(const Linear& from, const Linear& to) {
   change_by(from.basis, from.diagonal_basis);
   change_by(to.inverse, to.diagonal_basis);
 }
 
-void TangentsSideBySide::see(const modes::ModalTerms& terms, bool paired, double unit,
-                             modes::ModalSums& sums) const {
+template <int N>
+void TangentsSideBySide<N>::see(const modes::ModalTerms& terms, bool paired, double unit,
+                                modes::ModalSums& sums) const {
   sums.resize(count_);
   const std::ptrdiff_t lanes = SideBySide::lanes(static_cast<std::ptrdiff_t>(count_));
   numerics::in_widest_lanes(
@@ -134,5 +153,10 @@ void TangentsSideBySide::see(const modes::ModalTerms& terms, bool paired, double
         }
       });
 }
+
+template class TangentsSideBySide<2>;
+template class TangentsSideBySide<4>;
+template class TangentsSideBySide<6>;
+template class TangentsSideBySide<Eigen::Dynamic>;
 
 }  // namespace rubsweep::integrate::exact

@@ -9,13 +9,14 @@
 
 namespace rubsweep::integrate::exact {
 
-/// The same as TangentsOneByOne, with identical results, for many long vectors: several of them are processed
-/// at once.
+/// The same as TangentsOneByOne, with identical results, for many vectors: several of them are processed at
+/// once.
+template <int N>
 class TangentsSideBySide {
  public:
-  using Types = modes::ExactTypes<Eigen::Dynamic>;
-  using State = Types::State;
-  using Linear = modes::LinearMode<Eigen::Dynamic>;
+  using Types = modes::ExactTypes<N>;
+  using State = typename Types::State;
+  using Linear = modes::LinearMode<N>;
 
   std::size_t size() const { return count_; }
   void clear() { count_ = 0; }
@@ -23,15 +24,15 @@ class TangentsSideBySide {
   void set(std::size_t i, const State& z);
   State get(std::size_t i) const;
 
-  void move(const Types::Pairs& flow);
-  void move(const Types::Factor& flow);
+  void move(const typename Types::Pairs& flow);
+  void move(const typename Types::Factor& flow);
   void move_by_series(const Linear& mode, double duration_s);
   void change(const Linear& from, const Linear& to);
   void see(const modes::ModalTerms& terms, bool paired, double unit, modes::ModalSums& sums) const;
 
  private:
   numerics::SideBySide view(numerics::AlignedMatrix& of) const;
-  void change_by(const Types::Factor& matrix, bool diagonal);
+  void change_by(const typename Types::Factor& matrix, bool diagonal);
 
   std::size_t count_ = 0;
   numerics::AlignedMatrix list_;            ///< number j of vector i at (i, j)

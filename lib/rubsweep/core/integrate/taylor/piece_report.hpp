@@ -77,17 +77,4 @@ void note_contact(Expansion<N>& motion, const std::vector<contact::Mode>& modes,
   if (touching) run::add_contact(duration_rad / numerics::full_turn, report);
 }
 
-extern template LargestDisplacements largest_displacements<2>(const Expansion<2>&,
-                                                              const run::ScaledSystem<2>&, double, double,
-                                                              std::vector<double>&);
-extern template LargestDisplacements largest_displacements<4>(const Expansion<4>&,
-                                                              const run::ScaledSystem<4>&, double, double,
-                                                              std::vector<double>&);
-extern template LargestDisplacements largest_displacements<6>(const Expansion<6>&,
-                                                              const run::ScaledSystem<6>&, double, double,
-                                                              std::vector<double>&);
-extern template LargestDisplacements largest_displacements<Eigen::Dynamic>(
-    const Expansion<Eigen::Dynamic>&, const run::ScaledSystem<Eigen::Dynamic>&, double, double,
-    std::vector<double>&);
-
 }  // namespace rubsweep::integrate::taylor

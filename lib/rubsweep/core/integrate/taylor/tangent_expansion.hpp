@@ -41,9 +41,4 @@ class TangentExpansion {
   TangentBundle<N, 1> alone_;
 };
 
-extern template class TangentExpansion<2>;
-extern template class TangentExpansion<4>;
-extern template class TangentExpansion<6>;
-extern template class TangentExpansion<Eigen::Dynamic>;
-
 }  // namespace rubsweep::integrate::taylor

@@ -121,9 +121,4 @@ class TaylorRun {
   bool peaks_wanted_ = false;
 };
 
-extern template class TaylorRun<2>;
-extern template class TaylorRun<4>;
-extern template class TaylorRun<6>;
-extern template class TaylorRun<Eigen::Dynamic>;
-
 }  // namespace rubsweep::integrate::taylor

@@ -78,6 +78,12 @@ auto off(std::span<const double> section, const StableOrbit& orbit, std::size_t 
          orbit.sections[turn];
 }
 
+/// Length of matrix times vector; `product` is memory for it.
+double length_of(const MatrixXd& matrix, const VectorXd& vector, VectorXd& product) {
+  product.noalias() = matrix.lazyProduct(vector);
+  return product.norm();
+}
+
 /// Follows a transient until `near(turn of the orbit, offset, size)` is true, where size = `size_of(offset,
 /// turn of the orbit)`, for at most `most_turns(first size, size)` turns.
 template <class SizeOf, class Near, class MostTurns>
@@ -176,17 +182,18 @@ integrate::exact::tube::Parts parts_of(const SplitNorms& norms, std::size_t turn
 
 double adapted_distance(std::span<const double> section, const StableOrbit& orbit,
                         const AdaptedNorms& norms) {
-  return (norms.norm.front() * off(section, orbit, 0)).norm();
+  VectorXd product;
+  return length_of(norms.norm.front(), off(section, orbit, 0), product);
 }
 
 bool comes_near(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
                 const AdaptedNorms& norms, const Nearness& wanted, const Patience& patience) {
-  const auto size_of = [&norms](const VectorXd& offset, std::size_t at) {
-    return (norms.norm[at] * offset).norm();
+  VectorXd predicted, missed, product;
+  const auto size_of = [&](const VectorXd& offset, std::size_t at) {
+    return length_of(norms.norm[at], offset, product);
   };
   LinearConvergenceTest convergence(predicted_periods * orbit.order);
   const double of_a_period = std::pow(norms.contraction, orbit.order);
-  VectorXd predicted;
   double first = 0, last = 0, a_period_ago = 0;
   const auto near = [&](std::size_t at, const VectorXd& offset, double size) {
     if (size <= wanted.adapted || offset.cwiseAbs().maxCoeff() <= wanted.largest) return true;
@@ -194,10 +201,11 @@ bool comes_near(const TurnMap& turn, std::span<const double> section, const Stab
     if (predicted.size() == 0) {
       first = size;
     } else {
-      convergence.add_prediction(size_of(offset - predicted, at), last, norms.contraction);
+      missed = offset - predicted;
+      convergence.add_prediction(size_of(missed, at), last, norms.contraction);
       if (at == 0) convergence.add_contraction(a_period_ago, size, of_a_period);
     }
-    predicted = orbit.transitions[at] * offset;
+    predicted.noalias() = orbit.transitions[at].lazyProduct(offset);
     last = size;
     if (at == 0) a_period_ago = size;
     return convergence.passed(size, first);

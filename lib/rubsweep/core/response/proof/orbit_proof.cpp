@@ -88,18 +88,19 @@ std::optional<motion::ProvenMotion> OrbitProof::look(const integrate::run::TurnR
 /// Turns at the tolerance of the run.
 TurnMap OrbitProof::as_it_runs() {
   if (!run_map_) run_map_.emplace(scene_, run_solver_, workspace_.modes, &budget_);
-  return [this](std::span<double> state, Eigen::MatrixXd*) { return (*run_map_)(state); };
+  return [this](std::span<double> state, Eigen::MatrixXd*) { return run_map_->go_on(state); };
 }
 
 TurnMap OrbitProof::at_tight_tolerance(double tangent_accuracy) {
   if (!map_) map_.emplace(scene_, solver_, workspace_.modes, &budget_);
   return [this, tangent_accuracy](std::span<double> state, Eigen::MatrixXd* disturbances) {
-    return disturbances ? map_->carry(state, *disturbances, tangent_accuracy) : (*map_)(state);
+    return disturbances ? map_->carry(state, *disturbances, tangent_accuracy) : map_->go_on(state);
   };
 }
 
 std::optional<motion::ProvenMotion> OrbitProof::prove(std::span<const double> section, int order) {
-  const auto orbit = find_orbit(at_tight_tolerance(), at_tight_tolerance(rough_accuracy), section, order);
+  const TurnMap roughly = at_tight_tolerance(rough_accuracy);
+  const auto orbit = find_orbit(at_tight_tolerance(), section, order, &roughly);
   if (!orbit) return std::nullopt;
   const auto proof = converges(section, *orbit);
   if (!proof) return std::nullopt;

@@ -182,15 +182,12 @@ void PeriodSearch::refuse(int order) {
   tried.again = turns_ + std::max(8L, static_cast<long>((much_later - 1) * static_cast<double>(turns_)));
 }
 
-std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const double> section, int order) {
-  return find_orbit(turn, turn, section, order);
-}
-
-std::optional<StableOrbit> find_orbit(const TurnMap& turn, const TurnMap& roughly,
-                                      std::span<const double> section, int order) {
+std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const double> section, int order,
+                                      const TurnMap* roughly) {
   const VectorXd start =
       Eigen::Map<const VectorXd>(section.data(), static_cast<Eigen::Index>(section.size()));
-  OrbitNewton found{.turn = turn, .roughly = roughly, .start = start, .order = order};
+  OrbitNewton found{
+      .turn = turn, .roughly = roughly != nullptr ? *roughly : turn, .start = start, .order = order};
   if (!numerics::newton(found, newton_limits)) return std::nullopt;
   StableOrbit orbit{.order = found.back->order, .sections = {}, .transitions = {}, .floquet_modulus = 0};
   orbit.floquet_modulus = numerics::dense::spectral_radius(found.back->monodromy);

@@ -73,10 +73,9 @@ inline constexpr double on_the_orbit = 1e-6;
 /// multiplier of the monodromy matrix is too large for a stable orbit nearby: above 1.2 at the transient,
 /// above 1 at an iterate. An orbit that returns after fewer turns is reported with this smaller number.
 /// Whether the transient converges to the orbit is tested separately, see `comes_near`.
-std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const double> section, int order);
-/// The same, with the first steps by `roughly`: the same turn with derivatives accurate to about 1e-6.
-std::optional<StableOrbit> find_orbit(const TurnMap& turn, const TurnMap& roughly,
-                                      std::span<const double> section, int order);
+/// `roughly`, unless null: the same turn with derivatives accurate to about 1e-6, for the first steps.
+std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const double> section, int order,
+                                      const TurnMap* roughly = nullptr);
 
 /// Derivative of `turn` at `section` by central differences of width `step`, for solvers without derivatives.
 bool differentiate(const std::function<bool(std::span<double>)>& turn, std::span<double> section, double step,

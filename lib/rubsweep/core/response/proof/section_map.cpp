@@ -36,13 +36,13 @@ SceneMap::SceneMap(const scene::Scene& scene, const integrate::run::SolverOption
                       std::ranges::any_of(scene.contacts, [](const auto& c) { return c.law != nullptr; })),
       remembers_(integrate::run::remembers_impacts(scene)) {}
 
-bool SceneMap::advance(std::span<double> section) {
+bool SceneMap::advance(std::span<double> section, bool continues) {
   if (section.size() != states_) {
     throw SolverError(fmt::format("a section of {} coordinates has {} numbers, got {}", states_ / 2, states_,
                                   section.size()));
   }
   if (budget_ && budget_->used_up()) return false;
-  const bool goes_on = keeps_memory_ && whole_ && std::ranges::equal(section, report_.section);
+  const bool goes_on = (continues || keeps_memory_) && whole_ && std::ranges::equal(section, report_.section);
   if (!goes_on) run_.restart(section);
   const integrate::run::Outcome outcome = run_.advance(request_, report_);
   whole_ = outcome == integrate::run::Outcome::ok;
@@ -61,6 +61,11 @@ void SceneMap::spend(bool counts_on) {
 bool SceneMap::operator()(std::span<double> section) {
   request_.tangent_vectors.resize(0, 0);
   return advance(section);
+}
+
+bool SceneMap::go_on(std::span<double> section) {
+  request_.tangent_vectors.resize(0, 0);
+  return advance(section, exact_);
 }
 
 bool SceneMap::carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved,

@@ -28,6 +28,9 @@ class SceneMap {
 
   /// Replaces `section`, 2n numbers, by the section one revolution later. False when the solver fails.
   bool operator()(std::span<double> section);
+  /// The same, but where `section` ends the latest revolution the exact solver continues. Rounding errors
+  /// then differ from those of a fresh start.
+  bool go_on(std::span<double> section);
 
   /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes its image under the
   /// derivative of the new section by the old. The derivative comes from the exact solver where the turn has
@@ -61,7 +64,7 @@ class SceneMap {
   bool touched() const { return report_.touched; }
 
  private:
-  bool advance(std::span<double> section);
+  bool advance(std::span<double> section, bool continues = false);
   void spend(bool counts_on);  ///< `counts_on`: the solver continues its count of work from before the turn.
 
   std::size_t states_;

@@ -77,14 +77,4 @@ template <int N>
 bool make_harmonic_response(const LinearMode<N>& mode, const Eigen::VectorXcd& force, double rate_rad_per_s,
                             HarmonicResponse<N>& response);
 
-extern template bool make_harmonic_response<2>(const LinearMode<2>&, const Eigen::VectorXcd&, double,
-                                               HarmonicResponse<2>&);
-extern template bool make_harmonic_response<4>(const LinearMode<4>&, const Eigen::VectorXcd&, double,
-                                               HarmonicResponse<4>&);
-extern template bool make_harmonic_response<6>(const LinearMode<6>&, const Eigen::VectorXcd&, double,
-                                               HarmonicResponse<6>&);
-extern template bool make_harmonic_response<Eigen::Dynamic>(const LinearMode<Eigen::Dynamic>&,
-                                                            const Eigen::VectorXcd&, double,
-                                                            HarmonicResponse<Eigen::Dynamic>&);
-
 }  // namespace rubsweep::integrate::exact::modes

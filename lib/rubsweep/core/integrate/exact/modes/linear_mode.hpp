@@ -179,16 +179,4 @@ std::unique_ptr<LinearMode<N>> make_linear_mode(const CommonToModes& common,
                                                 const std::vector<contact::Mode>& modes,
                                                 const std::vector<bool>& backward);
 
-extern template std::unique_ptr<LinearMode<2>> make_linear_mode<2>(const CommonToModes&,
-                                                                   const std::vector<contact::Mode>&,
-                                                                   const std::vector<bool>&);
-extern template std::unique_ptr<LinearMode<4>> make_linear_mode<4>(const CommonToModes&,
-                                                                   const std::vector<contact::Mode>&,
-                                                                   const std::vector<bool>&);
-extern template std::unique_ptr<LinearMode<6>> make_linear_mode<6>(const CommonToModes&,
-                                                                   const std::vector<contact::Mode>&,
-                                                                   const std::vector<bool>&);
-extern template std::unique_ptr<LinearMode<Eigen::Dynamic>> make_linear_mode<Eigen::Dynamic>(
-    const CommonToModes&, const std::vector<contact::Mode>&, const std::vector<bool>&);
-
 }  // namespace rubsweep::integrate::exact::modes

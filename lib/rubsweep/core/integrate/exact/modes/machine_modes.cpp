@@ -116,6 +116,14 @@ const ModeChange<N>& MachineModes<N>::change(const LinearMode<N>& from, const Li
   return place->second;
 }
 
+template <int N>
+std::shared_ptr<UnbalanceResponses<N>> MachineModes<N>::responses_to(const Eigen::VectorXcd& acceleration,
+                                                                     double rate_rad_per_s) {
+  if (!responses_ || responses_->rate_rad_per_s != rate_rad_per_s || responses_->acceleration != acceleration)
+    responses_ = std::make_shared<UnbalanceResponses<N>>(UnbalanceResponses<N>{acceleration, rate_rad_per_s});
+  return responses_;
+}
+
 std::size_t most_bytes_of_modes(Eigen::Index coordinates, std::size_t contacts) {
   const auto states = static_cast<std::size_t>(2 * coordinates);
   const std::size_t guards = 2 * contacts, matrices = 3 + numerics::exact_step_count;

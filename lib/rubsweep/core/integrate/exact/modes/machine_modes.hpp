@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rubsweep/core/integrate/exact/modes/linear_mode.hpp"
-#include "rubsweep/core/integrate/exact/modes/mode_change.hpp"
+#include "rubsweep/core/integrate/exact/modes/unbalance_responses.hpp"
 
 namespace rubsweep::integrate::exact::modes {
 
@@ -34,6 +34,10 @@ class MachineModes {
   /// Change between two of these modes.
   const ModeChange<N>& change(const LinearMode<N>& from, const LinearMode<N>& to);
 
+  /// Responses to an unbalance, shared by successive runs with the same unbalance.
+  std::shared_ptr<UnbalanceResponses<N>> responses_to(const Eigen::VectorXcd& acceleration,
+                                                      double rate_rad_per_s);
+
   /// Scaled system with time in seconds.
   const run::ScaledSystem<Eigen::Dynamic>& system() const { return common_.system; }
   const Eigen::MatrixXd& inverse_mass() const { return inverse_mass_; }
@@ -49,6 +53,7 @@ class MachineModes {
   std::vector<bool> made_;
   std::unordered_map<std::size_t, std::unique_ptr<LinearMode<N>>> backward_modes_;
   std::size_t count_ = 0;
+  std::shared_ptr<UnbalanceResponses<N>> responses_;  ///< responses to the latest unbalance
   std::map<std::pair<std::size_t, std::size_t>, ModeChange<N>> changes_;  ///< key: indices of both modes
 };
 

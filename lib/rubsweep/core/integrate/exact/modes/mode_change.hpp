@@ -18,7 +18,13 @@ struct ModeChange {
 
 /// Computes the change between modes that have kept their unrounded matrices (LinearMode::unrounded).
 template <int N>
-ModeChange<N> make_mode_change(const LinearMode<N>& from, const LinearMode<N>& to);
+ModeChange<N> make_mode_change(const LinearMode<N>& from, const LinearMode<N>& to) {
+  const numerics::LongMatrix by = to.unrounded.inverse * from.unrounded.basis;
+  numerics::LongVector apart = numerics::LongVector::Zero(by.rows());
+  apart.head(from.unrounded.rest.size()) = from.unrounded.rest - to.unrounded.rest;
+  const numerics::LongVector constant = to.unrounded.inverse * apart;
+  return {typename ExactTypes<N>::Factor(Eigen::MatrixXd(by.cast<double>())), constant.cast<double>()};
+}
 
 /// Contribution of a harmonic force to z': Re(phasor) real + Im(phasor) imaginary.
 template <int N>
@@ -29,21 +35,18 @@ struct HarmonicChange {
 /// Computes the change from the responses of both modes to the force.
 template <int N>
 HarmonicChange<N> make_harmonic_change(const LinearMode<N>& to, const HarmonicResponse<N>& in_from,
-                                       const HarmonicResponse<N>& in_to);
-
-extern template ModeChange<2> make_mode_change<2>(const LinearMode<2>&, const LinearMode<2>&);
-extern template ModeChange<4> make_mode_change<4>(const LinearMode<4>&, const LinearMode<4>&);
-extern template ModeChange<6> make_mode_change<6>(const LinearMode<6>&, const LinearMode<6>&);
-extern template ModeChange<Eigen::Dynamic> make_mode_change<Eigen::Dynamic>(
-    const LinearMode<Eigen::Dynamic>&, const LinearMode<Eigen::Dynamic>&);
-extern template HarmonicChange<2> make_harmonic_change<2>(const LinearMode<2>&, const HarmonicResponse<2>&,
-                                                          const HarmonicResponse<2>&);
-extern template HarmonicChange<4> make_harmonic_change<4>(const LinearMode<4>&, const HarmonicResponse<4>&,
-                                                          const HarmonicResponse<4>&);
-extern template HarmonicChange<6> make_harmonic_change<6>(const LinearMode<6>&, const HarmonicResponse<6>&,
-                                                          const HarmonicResponse<6>&);
-extern template HarmonicChange<Eigen::Dynamic> make_harmonic_change<Eigen::Dynamic>(
-    const LinearMode<Eigen::Dynamic>&, const HarmonicResponse<Eigen::Dynamic>&,
-    const HarmonicResponse<Eigen::Dynamic>&);
+                                       const HarmonicResponse<N>& in_to) {
+  const Eigen::Index n = to.rest.size();
+  // Re(d phasor) of displacements and Re(i rate d phasor) of velocities, for both parts of the phasor.
+  numerics::LongMatrix apart(2 * n, 2);
+  const long double rate = in_to.rate;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const std::complex<long double> d = in_from.unrounded_amplitude(j) - in_to.unrounded_amplitude(j);
+    apart.row(j) << d.real(), -d.imag();
+    apart.row(n + j) << -rate * d.imag(), -rate * d.real();
+  }
+  const numerics::LongMatrix change = to.unrounded.inverse * apart;
+  return {change.col(0).cast<double>(), change.col(1).cast<double>()};
+}
 
 }  // namespace rubsweep::integrate::exact::modes

@@ -83,15 +83,4 @@ void expand_guard(const LinearGuard<N>& guard, const typename ExactTypes<N>::Sta
   for (; i < guard.columns.size(); ++i) numerics::add_terms(terms, column(i));
 }
 
-extern template ExactTypes<2>::Pairs flow_of_pairs<2>(const LinearMode<2>&, double);
-extern template void move_by_series<2>(const LinearMode<2>&, double, ExactTypes<2>::State&);
-extern template ExactTypes<4>::Pairs flow_of_pairs<4>(const LinearMode<4>&, double);
-extern template void move_by_series<4>(const LinearMode<4>&, double, ExactTypes<4>::State&);
-extern template ExactTypes<6>::Pairs flow_of_pairs<6>(const LinearMode<6>&, double);
-extern template void move_by_series<6>(const LinearMode<6>&, double, ExactTypes<6>::State&);
-extern template ExactTypes<Eigen::Dynamic>::Pairs flow_of_pairs<Eigen::Dynamic>(
-    const LinearMode<Eigen::Dynamic>&, double);
-extern template void move_by_series<Eigen::Dynamic>(const LinearMode<Eigen::Dynamic>&, double,
-                                                    ExactTypes<Eigen::Dynamic>::State&);
-
 }  // namespace rubsweep::integrate::exact::modes

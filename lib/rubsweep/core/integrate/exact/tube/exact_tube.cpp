@@ -21,7 +21,8 @@ namespace {
 /// Spectral norm of a matrix; infinite where the matrix is not finite.
 double spectral_norm(const Eigen::MatrixXd& matrix) {
   if (matrix.size() == 0) return 0;
-  const Eigen::MatrixXd square = matrix.transpose() * matrix;
+  const Eigen::MatrixXd narrow = matrix.rows() < matrix.cols() ? matrix.transpose() : matrix;
+  const Eigen::MatrixXd square = narrow.transpose() * narrow;
   if (!square.allFinite()) return std::numeric_limits<double>::infinity();
   const Eigen::VectorXd squares = numerics::dense::self_adjoint_eigenvalues(square);
   if (!squares.allFinite()) return std::numeric_limits<double>::infinity();
@@ -49,6 +50,7 @@ class TubeBuilder {
     behind_ = none;
     if (!reference_.start(section, disturbances, static_cast<std::size_t>(slow))) return std::nullopt;
     tube_.margins = reference_.clamped_margins();
+    tube_.margins.reserve(margins_of_a_turn_);
     if (!std::ranges::all_of(tube_.margins, [](const TurnTube::LimitMargin& m) { return m.margin > 0; }))
       return std::nullopt;
     for (int steps = 0; time_s_ < tube_.period_s; ++steps) {
@@ -56,6 +58,7 @@ class TubeBuilder {
     }
     if (!motion().free().allFinite()) return std::nullopt;
     finish(section, end_norm);
+    margins_of_a_turn_ = std::max(margins_of_a_turn_, tube_.margins.size());
     return std::move(tube_);
   }
 
@@ -176,7 +179,7 @@ class TubeBuilder {
   }
 
   void finish(std::vector<double>& section, const Eigen::MatrixXd& end_norm) {
-    const auto scaled = [&](State state) -> Eigen::VectorXd {
+    const auto scaled = [&](State state) {
       reference_.scale().from_seconds(state);
       return state;
     };
@@ -184,8 +187,8 @@ class TubeBuilder {
                slow = static_cast<Eigen::Index>(reference_.base().slow);
     const std::size_t base = reference_.base().all();
     const auto list = motion().tangents();
-    const auto at_end = [&](std::size_t i) -> Eigen::VectorXd {
-      return end_norm * scaled(motion().mode().from_free(list[i]));
+    const auto at_end = [&](std::size_t i) -> State {
+      return end_norm.lazyProduct(scaled(motion().mode().from_free(list[i])));
     };
     Eigen::MatrixXd linear(end_norm.rows(), fast + slow);
     for (std::size_t i = 0; i < base; ++i) linear.col(static_cast<Eigen::Index>(i)) = at_end(i);
@@ -193,12 +196,10 @@ class TubeBuilder {
                      spectral_norm(linear.topRightCorner(fast, slow))};
     tube_.to_slow = {spectral_norm(linear.bottomLeftCorner(slow, fast)),
                      spectral_norm(linear.bottomRightCorner(slow, slow))};
-    const auto lengths = [&](const Eigen::VectorXd& x) -> Parts {
-      return {x.head(fast).norm(), x.tail(slow).norm()};
-    };
+    const auto lengths = [&](const State& x) -> Parts { return {x.head(fast).norm(), x.tail(slow).norm()}; };
     for (std::size_t i = base; i + 1 < list.size(); i += 2)
       tube_.deflections.push_back({lengths(at_end(i)), lengths(at_end(i + 1))});
-    const Eigen::VectorXd end = scaled(motion().physical());
+    const State end = scaled(motion().physical());
     section.assign(end.data(), end.data() + end.size());
   }
 
@@ -206,6 +207,7 @@ class TubeBuilder {
   double period_s_ = 0;
   std::size_t behind_ = none;  ///< index of the present mode's guard that has just left zero
   double time_s_ = 0;
+  std::size_t margins_of_a_turn_ = 0;   ///< most margins of the turns so far
   std::vector<GuardValue> guards_;      ///< guards of the present mode, at the start of a step
   std::vector<modes::ModalSums> seen_;  ///< projections of the disturbances onto these guards
   TurnTube tube_;

@@ -47,11 +47,10 @@ class TubeReference {
   const run::StateScale& scale() const { return scale_; }  ///< scale of sections
   const PartSizes& base() const { return base_; }          ///< disturbances without the deflections
 
-  /// Projections of the disturbances onto guard `e` of the present mode.
-  Seen seen(std::size_t e) {
-    Seen seen;
-    see(e, seen);
-    return seen;
+  /// Projections of the disturbances onto guard `e` of the present mode; valid until the next call.
+  const Seen& seen(std::size_t e) {
+    see(e, seen_);
+    return seen_;
   }
   /// Writes these projections into an existing object.
   void see(std::size_t e, Seen& seen) { see_by(motion_.mode().guards[e].terms, 1, seen); }
@@ -124,6 +123,7 @@ class TubeReference {
   run::StateScale scale_;
   PartSizes base_;
   std::vector<SlipGuard> slips_;
+  Seen seen_;
 };
 
 }  // namespace rubsweep::integrate::exact::tube

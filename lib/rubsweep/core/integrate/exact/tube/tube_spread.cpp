@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubsweep/core/numerics/twin.hpp"
+
 namespace rubsweep::integrate::exact::tube {
 
 TurnTube::Spread spread_of(const std::vector<double>& values, const PartSizes& base) {
@@ -22,13 +24,14 @@ TurnTube::Spread spread_over(const modes::ModalSums& seen, const PartSizes& base
   const double half_square = duration_s * duration_s / 2;
   const auto end = [&](std::size_t i) { return seen.value[i] + duration_s * seen.rate[i]; };
   const auto width = [&](std::size_t from, std::size_t to) {
-    double at_start = 0, at_end = 0, bent = 0;
+    numerics::Twin at_ends{};
+    double bent = 0;
     for (std::size_t i = from; i < to; ++i) {
-      at_start += seen.value[i] * seen.value[i];
-      at_end += end(i) * end(i);
+      const numerics::Twin at{seen.value[i], end(i)};
+      at_ends += at * at;
       bent += seen.curvature[i] * seen.curvature[i];
     }
-    return std::sqrt(std::max(at_start, at_end)) + half_square * std::sqrt(bent);
+    return std::sqrt(std::max(at_ends[0], at_ends[1])) + half_square * std::sqrt(bent);
   };
   TurnTube::Spread spread;
   spread.width = {width(0, base.fast), width(base.fast, base.all())};

@@ -30,7 +30,7 @@ class TubeSwitch {
     const modes::LinearMode<N>& from = motion_.mode();
     const modes::LinearGuard<N>& guard = from.guards[e];
     const GuardValue at = motion_.guard(e);
-    const modes::ModalSums on_guard = reference_.seen(e);
+    const modes::ModalSums& on_guard = reference_.seen(e);
     TurnTube::Switch change;
     change.rate = at.rate;
     change.curvature = std::max(before.curvature, at.curvature);
