@@ -87,12 +87,14 @@ CurvedLaw::CurvedLaw(const model::Stop& stop)
     end_n_ = ratio * ratio;
     end_m_ = hertz_approach_m(*stop.hertz, end_n_);
     end_slope_ = 1 / (a_ * (b_ - 0.5 - std::log(end_n_) / 2));
+    knots_m_ = {end_m_};
   }
   if (law_.kind != model::ForceCurve::table) return;
   table_ = {law_.penetration_m, law_.force_n};
   end_m_ = law_.penetration_m.back();
   end_n_ = law_.force_n.back();
   end_slope_ = table_.slope(end_m_);
+  knots_m_.assign(law_.penetration_m.begin() + 1, law_.penetration_m.end());
   energy_j_.push_back(0);
   for (std::size_t i = 1; i < law_.penetration_m.size(); ++i)
     energy_j_.push_back(energy_j_.back() +

@@ -33,6 +33,8 @@ class CurvedLaw {
   double slope_n_per_m(double penetration_m) const;
   /// Elastic energy in joules: integral of S from 0 to a penetration >= 0.
   double energy_j(double penetration_m) const;
+  /// Rising penetrations where S is smooth on each side only: its second derivative jumps there.
+  const std::vector<double>& knots_m() const { return knots_m_; }
 
   const model::NormalLaw& law() const { return law_; }
   /// Damping factor x = c v0, without unit.
@@ -58,6 +60,7 @@ class CurvedLaw {
   numerics::Pchip table_;
   double end_m_ = 0, end_n_ = 0, end_slope_ = 0;  ///< start of the tangent beyond a line contact or table
   std::vector<double> energy_j_;                  ///< energies at the points of a table
+  std::vector<double> knots_m_;
 };
 
 /// The elastic force of a law in words, for --explain.

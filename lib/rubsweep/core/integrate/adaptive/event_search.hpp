@@ -5,6 +5,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -38,9 +39,13 @@ struct CrossingSearch {
       const contact::Guards at_end = guards(i, end_kinematics[i]);
       for (int e = 0; e < at_start.count && !step.knows_modes; ++e) {
         const auto k = static_cast<std::size_t>(e);
-        const auto candidate = locate(i, e, at_start.list[k], at_end.list[k]);
-        if (candidate && (!earliest || candidate->phase < earliest->phase)) earliest = candidate;
+        const auto value = [&](double phase) { return guards(i, inside(i, phase)).list[k].value; };
+        const auto phase = locate(at_start.list[k], at_end.list[k], value);
+        if (phase && (!earliest || *phase < earliest->phase))
+          earliest = Crossing{*phase, i, at_start.list[k].next};
       }
+      if (dynamics.system().contacts[i].law && !step.knows_modes) [[unlikely]]
+        locate_knots(i, earliest);
       if (!dynamics.touches_dry(i)) continue;
       const auto candidate =
           dynamics.slips()[i] == contact::Slip::sticking ? locate_release(i) : locate_stop(i);
@@ -68,13 +73,10 @@ struct CrossingSearch {
     return dynamics.guards(i, kinematics);
   }
 
-  /// Value of one guard function of contact `i` inside the step.
-  double guard_value(std::size_t i, int guard, double phase) {
+  /// Kinematics of contact `i` inside the step. The acceleration, on which no guard depends, is any.
+  contact::Kinematics inside(std::size_t i, double phase) {
     method.state_at(right_hand_side, step, phase, probe);
-    // The value of a guard does not depend on the acceleration, so that any rate can be passed.
-    return guards(i, dynamics.kinematics(i, probe, step.end_rate))
-        .list[static_cast<std::size_t>(guard)]
-        .value;
+    return dynamics.kinematics(i, probe, step.end_rate);
   }
 
   const State& state_inside(double phase) {
@@ -181,21 +183,46 @@ struct CrossingSearch {
     return earliest;
   }
 
-  std::optional<Crossing> locate(std::size_t i, int guard, const contact::Guard& at_start,
-                                 const contact::Guard& at_end) {
+  /// Makes the first passage of contact `i`, if it touches, over a knot of its force the `earliest` event. A
+  /// penetration at a knot has passed it if it moves away.
+  void locate_knots(std::size_t i, std::optional<Crossing>& earliest) {
+    if (dynamics.modes()[i] == contact::Mode::open) return;
+    const auto& c = dynamics.system().contacts[i];
+    const contact::Kinematics &start = start_kinematics[i], &end = end_kinematics[i];
+    const auto scaled = [&](double knot_m) { return knot_m / c.length_m; };
+    const auto& knots_m = c.law->knots_m();
+    const auto above = start.closing_speed > 0
+                           ? std::ranges::upper_bound(knots_m, start.penetration, {}, scaled)
+                           : std::ranges::lower_bound(knots_m, start.penetration, {}, scaled);
+    const auto look = [&](double knot, double way) {
+      const auto guard = [&](const contact::Kinematics& k) {
+        return contact::Guard{way * (k.penetration - knot), way * k.closing_speed};
+      };
+      const auto phase =
+          locate(guard(start), guard(end), [&](double at) { return guard(inside(i, at)).value; });
+      if (phase && (!earliest || *phase < earliest->phase))
+        earliest = Crossing{*phase, i, {}, Crossing::Event::knot, {}};
+    };
+    if (above != knots_m.end()) look(scaled(*above), 1);
+    if (above != knots_m.begin()) look(scaled(*std::prev(above)), -1);
+  }
+
+  /// Phase at which a guard rises through zero. `value_at`: its value by the phase.
+  template <class Value>
+  std::optional<double> locate(const contact::Guard& at_start, const contact::Guard& at_end,
+                               const Value& value_at) {
     const double h = step.end_phase - step.start_phase;
     if (numerics::clearly_below_zero(at_start.value, h * at_start.rate, at_end.value, h * at_end.rate))
       return std::nullopt;
-    const double middle = guard_value(i, guard, step.start_phase + h / 2);
+    const double middle = value_at(step.start_phase + h / 2);
     const auto rise = numerics::bernstein_root(
         numerics::quartic_through(at_start.value, h * at_start.rate, middle, at_end.value, h * at_end.rate));
-    const auto value = [&](double x) { return guard_value(i, guard, step.start_phase + x * h); };
+    const auto value = [&](double x) { return value_at(step.start_phase + x * h); };
     auto phase = rise ? refine(value, *rise) : std::nullopt;
     // Excludes a return from a graze. A guard that starts at zero may rise by any of its derivatives.
     if (!phase && at_end.value >= 0 && (at_start.value <= 0 || at_start.rate >= 0))
       phase = hidden_rise(value);
-    if (!phase) return std::nullopt;
-    return Crossing{*phase, i, at_start.next};
+    return phase;
   }
 
   /// Root of the true guard function `value` near the root of its interpolant, both in units of the step.

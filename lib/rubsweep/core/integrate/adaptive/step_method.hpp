@@ -22,8 +22,9 @@ inline bool is_finite(const State& state) {
 
 /// First event inside a step; it ends the step.
 struct Crossing {
-  /// mode: a guard of a contact mode; stop: a slip reaches zero; release: a contact stops sticking.
-  enum class Event { mode, stop, release };
+  /// mode: a guard of a contact mode; stop: a slip reaches zero; release: a contact stops sticking; knot: a
+  /// penetration passes a point where the force is not smooth.
+  enum class Event { mode, stop, release, knot };
   double phase = 0;
   std::size_t contact = 0;
   contact::Mode next = contact::Mode::open;
