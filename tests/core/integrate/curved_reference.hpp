@@ -220,8 +220,8 @@ struct Reference {
       h = std::min(h, std::clamp(m.p / (100 * std::abs(m.v)), 1e-7L / w, longest / (4 * w)));
       // Shorter than the contact's vibration; if a grazing impact set the damping, the damper is stiff.
       const Real elastic = spring(stops[i], m.p);
-      h = std::min(h, Real(0.002L) * std::sqrt(m.p / elastic));
-      h = std::min(h, speed[i] * Real(0.01L) / (x[i] * elastic + 1e-9L));
+      h = std::min(h, Real(0.001L) * std::sqrt(m.p / elastic));
+      h = std::min(h, speed[i] * Real(0.005L) / (x[i] * elastic + 1e-9L));
     }
     h = std::min(h, longest / w);
     Numbers next = step(t, h);

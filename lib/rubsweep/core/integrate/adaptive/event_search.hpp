@@ -5,7 +5,6 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -35,16 +34,17 @@ struct CrossingSearch {
   std::optional<Crossing> first() {
     std::optional<Crossing> earliest = step.ending;
     for (std::size_t i = 0; i < dynamics.system().contacts.size(); ++i) {
-      const contact::Guards at_start = guards(i, start_kinematics[i]);
-      const contact::Guards at_end = guards(i, end_kinematics[i]);
+      const contact::Guards at_start = dynamics.guards(i, start_kinematics[i]);
+      const contact::Guards at_end = dynamics.guards(i, end_kinematics[i]);
       for (int e = 0; e < at_start.count && !step.knows_modes; ++e) {
         const auto k = static_cast<std::size_t>(e);
-        const auto value = [&](double phase) { return guards(i, inside(i, phase)).list[k].value; };
+        const auto value = [&](double phase) { return dynamics.guards(i, inside(i, phase)).list[k].value; };
         const auto phase = locate(at_start.list[k], at_end.list[k], value);
         if (phase && (!earliest || *phase < earliest->phase))
           earliest = Crossing{*phase, i, at_start.list[k].next};
       }
-      if (dynamics.system().contacts[i].law && !step.knows_modes) [[unlikely]]
+      const bool curved = dynamics.system().contacts[i].law && dynamics.modes()[i] != contact::Mode::open;
+      if (curved && !step.knows_modes) [[unlikely]]
         locate_knots(i, earliest);
       if (!dynamics.touches_dry(i)) continue;
       const auto candidate =
@@ -68,10 +68,6 @@ struct CrossingSearch {
     /// Excess of the needed friction over the limit in the direction of `sign`.
     double over(double sign) const { return sign * holds_n - largest_n; }
   };
-
-  contact::Guards guards(std::size_t i, const contact::Kinematics& kinematics) const {
-    return dynamics.guards(i, kinematics);
-  }
 
   /// Kinematics of contact `i` inside the step. The acceleration, on which no guard depends, is any.
   contact::Kinematics inside(std::size_t i, double phase) {
@@ -105,7 +101,8 @@ struct CrossingSearch {
     const auto rise = numerics::bernstein_root(quartic);
     auto phase = rise ? refine(value, *rise) : std::nullopt;
     if (!phase && at_end >= 0) phase = hidden_rise(value);
-    if (!phase && !moved && comes_near_zero(quartic)) phase = shallow_rise(value);
+    const auto [low, high] = std::ranges::minmax(quartic);
+    if (!phase && !moved && high > -near_zero * (high - low)) phase = shallow_rise(value);
     if (!phase) return std::nullopt;
     return Crossing{*phase, i, {}, Crossing::Event::stop, {}};
   }
@@ -125,11 +122,6 @@ struct CrossingSearch {
       if (value(x) < 0) return rise_between(value, x, 2 * x);
     }
     return step.start_phase + x * (step.end_phase - step.start_phase);
-  }
-
-  static bool comes_near_zero(const numerics::Quartic& quartic) {
-    const auto [low, high] = std::ranges::minmax(quartic);
-    return high > -near_zero * (high - low);
   }
 
   /// First zero of a function that is negative at the start of the step, searched near its largest value. A
@@ -183,28 +175,22 @@ struct CrossingSearch {
     return earliest;
   }
 
-  /// Makes the first passage of contact `i`, if it touches, over a knot of its force the `earliest` event. A
-  /// penetration at a knot has passed it if it moves away.
+  /// Makes the first passage of contact `i` over a knot of its force the `earliest` event. A penetration at a
+  /// knot has passed it if it moves away.
   void locate_knots(std::size_t i, std::optional<Crossing>& earliest) {
-    if (dynamics.modes()[i] == contact::Mode::open) return;
-    const auto& c = dynamics.system().contacts[i];
     const contact::Kinematics &start = start_kinematics[i], &end = end_kinematics[i];
-    const auto scaled = [&](double knot_m) { return knot_m / c.length_m; };
-    const auto& knots_m = c.law->knots_m();
-    const auto above = start.closing_speed > 0
-                           ? std::ranges::upper_bound(knots_m, start.penetration, {}, scaled)
-                           : std::ranges::lower_bound(knots_m, start.penetration, {}, scaled);
-    const auto look = [&](double knot, double way) {
+    const auto& c = dynamics.system().contacts[i];
+    for (const double knot_m : c.law->knots_m()) {
+      const double above = start.penetration - knot_m / c.length_m;
+      const double way = above < 0 || (above == 0 && start.closing_speed <= 0) ? 1 : -1;
       const auto guard = [&](const contact::Kinematics& k) {
-        return contact::Guard{way * (k.penetration - knot), way * k.closing_speed};
+        return contact::Guard{way * (k.penetration - knot_m / c.length_m), way * k.closing_speed};
       };
       const auto phase =
           locate(guard(start), guard(end), [&](double at) { return guard(inside(i, at)).value; });
       if (phase && (!earliest || *phase < earliest->phase))
         earliest = Crossing{*phase, i, {}, Crossing::Event::knot, {}};
-    };
-    if (above != knots_m.end()) look(scaled(*above), 1);
-    if (above != knots_m.begin()) look(scaled(*std::prev(above)), -1);
+    }
   }
 
   /// Phase at which a guard rises through zero. `value_at`: its value by the phase.

@@ -59,6 +59,28 @@ class RightHandSide {
   virtual double friction_ratio(const State& state) = 0;  ///< Friction ratio, as Dynamics::friction_ratio.
 };
 
+/// Adapts a law, whose type is a template, to the interface used by the methods.
+template <class Law>
+class LawOfSteps final : public RightHandSide {
+ public:
+  /// `law` must outlive this object.
+  explicit LawOfSteps(Law& law) : law_(law) {}
+
+  void operator()(const State& state, State& rate, double phase) override { law_(state, rate, phase); }
+
+  void jacobian(const State& state, double* by_state, double phase, State& by_phase) override {
+    const std::size_t size = state.size();
+    law_.jacobian(
+        state, [&](std::size_t row, std::size_t column) -> double& { return by_state[row * size + column]; },
+        phase, by_phase);
+  }
+
+  double friction_ratio(const State& state) override { return law_.friction_ratio(state); }
+
+ private:
+  Law& law_;
+};
+
 /// Method that makes the steps of a run. It is an interface because the adaptive solver is the reference for
 /// the others: simplicity comes before speed.
 class StepMethod {
