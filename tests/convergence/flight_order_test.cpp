@@ -8,7 +8,6 @@
 #include <numbers>
 #include <vector>
 
-#include "rubsweep/core/integrate/adaptive/law_of_steps.hpp"
 #include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/core/integrate/adaptive/step_method.hpp"
 #include "rubsweep/core/integrate/law/dynamics.hpp"

@@ -126,6 +126,21 @@ TEST(CurvedLaw, MeasuredCurveMeetsItsPointsAndRisesBeyondThem) {
   for (double p = 0; p < 2e-3; p += 1e-6) EXPECT_GT(law.force_n(p + 1e-6), law.force_n(p)) << p;
 }
 
+TEST(CurvedLaw, SecondDerivativesJumpAtItsKnots) {
+  for (const model::Stop& stop : {line_stop(), felt_stop(), power_stop(1e6, 1.5)}) {
+    const CurvedLaw law(stop);
+    EXPECT_EQ(law.knots_m().size(), stop.law.kind == ForceCurve::table        ? 4U
+                                    : stop.law.kind == ForceCurve::hertz_line ? 1U
+                                                                              : 0U);
+    for (const double knot_m : law.knots_m()) {
+      const double h = 1e-4 * knot_m, here = law.slope_n_per_m(knot_m);
+      const double before = (here - law.slope_n_per_m(knot_m - h)) / h,
+                   after = (law.slope_n_per_m(knot_m + h) - here) / h;
+      EXPECT_GT(std::abs(after - before) * knot_m, 0.1 * here) << knot_m;
+    }
+  }
+}
+
 TEST(CurvedLaw, ReleasesWhereTheForceWouldPull) {
   EXPECT_EQ(curved_mode(2, -1e-9, 1), Mode::open);
   EXPECT_EQ(curved_mode(2, 1e-9, -0.4), Mode::sprung);

@@ -20,28 +20,38 @@ using model::ForceCurve;
 using model::ImpactDamping;
 using Real = long double;
 
+/// A line contact of Hertz, written again.
+struct LineContact {
+  explicit LineContact(const model::HertzLine& h) : length_m(h.length_m), radius_m(h.rotor.radius_m) {
+    const auto soft = [](const model::HertzBody& body) {
+      return (1 - Real(body.poisson_ratio) * body.poisson_ratio) / body.youngs_modulus_pa;
+    };
+    both = soft(h.rotor) + soft(h.casing);
+    widest_n = pi * length_m * length_m * length_m / (16 * both * radius_m);
+    widest_m = widest_n * both / (pi * length_m) * (log_16 + 1);
+  }
+
+  /// Beyond the force under which the contact is as wide as long, the law is the tangent there.
+  Real force_n(Real p) const {
+    if (p >= widest_m) return widest_n + (p - widest_m) * pi * length_m / (both * log_16);
+    Real force = std::min(p / both, widest_n);
+    for (int k = 0; k < 40; ++k) {
+      const Real b = std::sqrt(4 * force * both * radius_m / (pi * length_m));
+      force = p * pi * length_m / (2 * both * (log_16 / 2 + 0.5L + std::log(length_m / (2 * b))));
+    }
+    return force;
+  }
+
+  static constexpr Real pi = std::numbers::pi_v<Real>, log_16 = 4 * std::numbers::ln2_v<Real>;
+  Real length_m, radius_m, both, widest_n, widest_m;
+};
+
 /// Elastic force of a stop, written again.
 inline Real spring(const model::Stop& stop, Real p) {
   const model::NormalLaw& law = stop.law;
   if (p <= 0) return 0;
   if (law.kind == ForceCurve::power) return law.stiffness_n_per_m_n * std::pow(p, Real(law.exponent));
-  if (law.kind == ForceCurve::hertz_line) {
-    const model::HertzLine& h = *stop.hertz;
-    const auto soft = [](const model::HertzBody& body) {
-      return (1 - Real(body.poisson_ratio) * body.poisson_ratio) / body.youngs_modulus_pa;
-    };
-    const Real both = soft(h.rotor) + soft(h.casing), pi = std::numbers::pi_v<Real>, L = h.length_m;
-    // Beyond the force under which the contact is as wide as long, the law is the tangent there.
-    const Real widest_n = pi * L * L * L / (16 * both * h.rotor.radius_m), log_16 = 4 * std::log(2.0L);
-    const Real widest_m = widest_n * both / (pi * L) * (log_16 + 1);
-    if (p >= widest_m) return widest_n + (p - widest_m) * pi * L / (both * log_16);
-    Real force = p / both;
-    for (int k = 0; k < 40; ++k) {
-      const Real b = std::sqrt(4 * force * both * h.rotor.radius_m / (pi * L));
-      force = p * pi * L / (2 * both * (2 * std::log(2.0L) + 0.5L + std::log(L / (2 * b))));
-    }
-    return force;
-  }
+  if (law.kind == ForceCurve::hertz_line) return LineContact(*stop.hertz).force_n(p);
   // Hermite's cubics with slopes by Fritsch and Butland; three points.
   const auto& x = law.penetration_m;
   const auto& y = law.force_n;
@@ -150,10 +160,11 @@ struct Reference {
     return out;
   }
 
-  /// Number of points of a measured curve below a penetration. The slope of the force bends at each of them.
-  static long piece(const model::NormalLaw& law, Real p) {
-    if (law.kind != ForceCurve::table) return 0;
-    return std::ranges::count_if(law.penetration_m, [p](double at) { return p > at; });
+  /// Number of points below a penetration where the slope of the force bends.
+  static long piece(const model::Stop& stop, Real p) {
+    if (stop.law.kind == ForceCurve::hertz_line) return p > LineContact(*stop.hertz).widest_m ? 1 : 0;
+    if (stop.law.kind != ForceCurve::table) return 0;
+    return std::ranges::count_if(stop.law.penetration_m, [p](double at) { return p > at; });
   }
 
   Numbers step(Real t, Real h) const {
@@ -182,6 +193,21 @@ struct Reference {
     }
   }
 
+  /// Takes the slip of contact `i`, which the errors of many steps have made, from the speeds of `z` by an
+  /// impulse of friction.
+  void hold(std::size_t i, Numbers& z) const {
+    const Seen m = seen(i, z);
+    const std::array<Real, 4> along{-m.ny, m.nx, m.ny, -m.nx};
+    const std::size_t moving = scene.contacts[i].casing_point ? 4 : 2;
+    const auto mass = [&](std::size_t k) {
+      return Real(scene.structure.mass(Eigen::Index(k), Eigen::Index(k)));
+    };
+    Real mobility = 0;
+    for (std::size_t k = 0; k < moving; ++k) mobility += along[k] * along[k] / mass(k);
+    const Real impulse = slip(i, z) / mobility;
+    for (std::size_t k = 0; k < moving; ++k) z[k + 4] -= impulse * along[k] / mass(k);
+  }
+
   /// One step, shortened to the first instant at which a contact begins, ends, no longer presses, turns
   /// back, stops slipping, lets go or passes a point of a measured curve. Without the turns a touch and the
   /// flight after it, or a short flight between two touches, could lie within a step.
@@ -192,19 +218,21 @@ struct Reference {
       const Seen m = seen(i, state);
       if (m.p <= 0) continue;
       h = std::min(h, std::clamp(m.p / (100 * std::abs(m.v)), 1e-7L / w, longest / (4 * w)));
-      // If the damping was set by a grazing impact, the damper is stiff.
-      h = std::min(h, speed[i] * Real(0.03L) / (20 * x[i] * spring(stops[i], m.p) + 1e-9L));
+      // Shorter than the contact's vibration; if a grazing impact set the damping, the damper is stiff.
+      const Real elastic = spring(stops[i], m.p);
+      h = std::min(h, Real(0.001L) * std::sqrt(m.p / elastic));
+      h = std::min(h, speed[i] * Real(0.005L) / (x[i] * elastic + 1e-9L));
     }
     h = std::min(h, longest / w);
     Numbers next = step(t, h);
     // Rising or falling; open, pressing or no longer pressing; whether dry friction goes on as it does; and
-    // the piece of a measured curve.
+    // the piece of the curve.
     const auto region = [&](std::size_t i, const Numbers& z, Real at) {
       const Seen m = seen(i, z);
       const bool goes_on = m.p <= 0 || !dry(i) ||
                            (way == 0 ? std::abs(holding_share(i, z, at)) <= 1 : slip(i, z) * Real(way) > 0);
       const int presses = 1 + x[i] * m.v / speed[i] > 0 ? 1 : 2;
-      return std::tuple(m.v > 0, m.p <= 0 ? 0 : presses, goes_on, piece(stops[i].law, m.p));
+      return std::tuple(m.v > 0, m.p <= 0 ? 0 : presses, goes_on, piece(stops[i], m.p));
     };
     const auto changed_at = [&](const Numbers& z, Real at) {
       for (std::size_t i = 0; i < stops.size(); ++i)
@@ -225,7 +253,9 @@ struct Reference {
       const bool began = seen(i, state).p <= 0 && seen(i, next).p > 0;
       if (began && !stops[i].law.approach_speed_m_per_s)
         speed[i] = std::max(seen(i, next).v, Real(1e-3) * scene.contacts[i].clearance_m * w);
-      if (dry(i) && seen(i, next).p > 0) settle_way(i, next, t + h, began);
+      if (!dry(i) || seen(i, next).p <= 0) continue;
+      settle_way(i, next, t + h, began);
+      if (way == 0) hold(i, next);
     }
     state = next;
     return t + h;

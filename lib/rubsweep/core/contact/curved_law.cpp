@@ -78,7 +78,6 @@ double restitution_of_factor(double factor) {
 CurvedLaw::CurvedLaw(const model::Stop& stop)
     : law_(stop.law),
       factor_(damping_factor(law_.damping, law_.restitution)),
-      approach_m_per_s_(law_.approach_speed_m_per_s),
       table_({0}, {0}) {
   if (law_.kind == model::ForceCurve::hertz_line) {
     const double ratio = stop.hertz->length_m / (2 * hertz_half_width_m(*stop.hertz, 1));
@@ -87,16 +86,14 @@ CurvedLaw::CurvedLaw(const model::Stop& stop)
     end_n_ = ratio * ratio;
     end_m_ = hertz_approach_m(*stop.hertz, end_n_);
     end_slope_ = 1 / (a_ * (b_ - 0.5 - std::log(end_n_) / 2));
+    knots_m_ = {end_m_};
   }
   if (law_.kind != model::ForceCurve::table) return;
   table_ = {law_.penetration_m, law_.force_n};
   end_m_ = law_.penetration_m.back();
   end_n_ = law_.force_n.back();
   end_slope_ = table_.slope(end_m_);
-  energy_j_.push_back(0);
-  for (std::size_t i = 1; i < law_.penetration_m.size(); ++i)
-    energy_j_.push_back(energy_j_.back() +
-                        integral_of_cubic(table_, law_.penetration_m[i - 1], law_.penetration_m[i]));
+  knots_m_.assign(law_.penetration_m.begin() + 1, law_.penetration_m.end());
 }
 
 double CurvedLaw::line_force_n(double penetration_m) const {
@@ -137,10 +134,13 @@ double CurvedLaw::energy_j(double penetration_m) const {
   const double p = std::min(penetration_m, end_m_), beyond = penetration_m - p;
   const double more = beyond * (end_n_ + end_slope_ * beyond / 2);
   if (law_.kind == model::ForceCurve::table) {
-    const auto& at = law_.penetration_m;
-    const auto next = std::ranges::upper_bound(at, p);
-    const auto k = static_cast<std::size_t>(next - at.begin()) - 1;
-    return energy_j_[k] + integral_of_cubic(table_, at[k], p) + more;
+    double energy_j = more, from = 0;
+    for (const double knot : knots_m_) {
+      const double to = std::min(knot, p);
+      energy_j += integral_of_cubic(table_, from, to);
+      from = to;
+    }
+    return energy_j;
   }
   const double force = force_n(p);
   // Energy = F p minus the integral of p over F.

@@ -33,31 +33,32 @@ class CurvedLaw {
   double slope_n_per_m(double penetration_m) const;
   /// Elastic energy in joules: integral of S from 0 to a penetration >= 0.
   double energy_j(double penetration_m) const;
+  /// Rising penetrations where S is smooth on each side only: its second derivative jumps there.
+  const std::vector<double>& knots_m() const { return knots_m_; }
 
   const model::NormalLaw& law() const { return law_; }
   /// Damping factor x = c v0, without unit.
   double factor() const { return factor_; }
   /// Approach speed v0 used for all impacts; empty: each impact uses its own speed.
-  const std::optional<double>& approach_m_per_s() const { return approach_m_per_s_; }
+  const std::optional<double>& approach_m_per_s() const { return law_.approach_speed_m_per_s; }
   /// Smallest approach speed that is used unchanged, in clearances per radian of rotation. Without this bound
   /// the damping of a graze would be unlimited.
   static constexpr double slowest_approach = 1e-3;
 
-  bool remembers() const { return factor_ > 0 && !approach_m_per_s_; }
+  bool remembers() const { return factor_ > 0 && !law_.approach_speed_m_per_s; }
 
  private:
   double line_force_n(double penetration_m) const;
 
   model::NormalLaw law_;
   double factor_ = 0;
-  std::optional<double> approach_m_per_s_;
   /// The line contact of Hertz has p = a F (b - ln F / 2) up to the force at which the contact is as wide as
   /// long, and the tangent there for larger forces. Inverse: F = -2 q / W(-2 q e^{-2 b}), q = p / a, with the
   /// lower branch of Lambert's function W.
   double a_ = 0, b_ = 0;
   numerics::Pchip table_;
   double end_m_ = 0, end_n_ = 0, end_slope_ = 0;  ///< start of the tangent beyond a line contact or table
-  std::vector<double> energy_j_;                  ///< energies at the points of a table
+  std::vector<double> knots_m_;
 };
 
 /// The elastic force of a law in words, for --explain.

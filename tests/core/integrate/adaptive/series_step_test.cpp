@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/integrate/curved_machine.hpp"
-#include "rubsweep/core/integrate/adaptive/law_of_steps.hpp"
+#include "rubsweep/core/integrate/adaptive/step_method.hpp"
 #include "rubsweep/core/integrate/run/pulse_times.hpp"
 
 namespace rubsweep::integrate::adaptive {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "rubsweep/core/integrate/adaptive/event_search.hpp"
-#include "rubsweep/core/integrate/adaptive/law_of_steps.hpp"
 #include "rubsweep/core/integrate/adaptive/step_observer.hpp"
 #include "rubsweep/core/integrate/adaptive/step_parts.hpp"
 #include "rubsweep/core/integrate/adaptive/step_sizes.hpp"
@@ -148,13 +147,9 @@ class AdaptiveRun {
   const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
   bool touches() const { return StepObserver::touching(step_.start, dynamics_); }
   void put_tangents(Eigen::MatrixXd& vectors) {
-    if constexpr (has_step_tangents<Law>) {
-      if (tangents_.any()) {
-        vectors = tangents_.changes();
-        return;
-      }
-    }
-    vectors.resize(static_cast<Eigen::Index>(step_.start.size()), 0);
+    bool any = false;
+    to_tangents(tangents_, [&](auto& moved) { any = true, vectors = moved.changes(); });
+    if (!any) vectors.resize(static_cast<Eigen::Index>(step_.start.size()), 0);
   }
 
  private:

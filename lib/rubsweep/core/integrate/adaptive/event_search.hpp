@@ -34,13 +34,18 @@ struct CrossingSearch {
   std::optional<Crossing> first() {
     std::optional<Crossing> earliest = step.ending;
     for (std::size_t i = 0; i < dynamics.system().contacts.size(); ++i) {
-      const contact::Guards at_start = guards(i, start_kinematics[i]);
-      const contact::Guards at_end = guards(i, end_kinematics[i]);
+      const contact::Guards at_start = dynamics.guards(i, start_kinematics[i]);
+      const contact::Guards at_end = dynamics.guards(i, end_kinematics[i]);
       for (int e = 0; e < at_start.count && !step.knows_modes; ++e) {
         const auto k = static_cast<std::size_t>(e);
-        const auto candidate = locate(i, e, at_start.list[k], at_end.list[k]);
-        if (candidate && (!earliest || candidate->phase < earliest->phase)) earliest = candidate;
+        const auto value = [&](double phase) { return dynamics.guards(i, inside(i, phase)).list[k].value; };
+        const auto phase = locate(at_start.list[k], at_end.list[k], value);
+        if (phase && (!earliest || *phase < earliest->phase))
+          earliest = Crossing{*phase, i, at_start.list[k].next};
       }
+      const bool curved = dynamics.system().contacts[i].law && dynamics.modes()[i] != contact::Mode::open;
+      if (curved && !step.knows_modes) [[unlikely]]
+        locate_knots(i, earliest);
       if (!dynamics.touches_dry(i)) continue;
       const auto candidate =
           dynamics.slips()[i] == contact::Slip::sticking ? locate_release(i) : locate_stop(i);
@@ -64,17 +69,10 @@ struct CrossingSearch {
     double over(double sign) const { return sign * holds_n - largest_n; }
   };
 
-  contact::Guards guards(std::size_t i, const contact::Kinematics& kinematics) const {
-    return dynamics.guards(i, kinematics);
-  }
-
-  /// Value of one guard function of contact `i` inside the step.
-  double guard_value(std::size_t i, int guard, double phase) {
+  /// Kinematics of contact `i` inside the step. The acceleration, on which no guard depends, is any.
+  contact::Kinematics inside(std::size_t i, double phase) {
     method.state_at(right_hand_side, step, phase, probe);
-    // The value of a guard does not depend on the acceleration, so that any rate can be passed.
-    return guards(i, dynamics.kinematics(i, probe, step.end_rate))
-        .list[static_cast<std::size_t>(guard)]
-        .value;
+    return dynamics.kinematics(i, probe, step.end_rate);
   }
 
   const State& state_inside(double phase) {
@@ -103,7 +101,8 @@ struct CrossingSearch {
     const auto rise = numerics::bernstein_root(quartic);
     auto phase = rise ? refine(value, *rise) : std::nullopt;
     if (!phase && at_end >= 0) phase = hidden_rise(value);
-    if (!phase && !moved && comes_near_zero(quartic)) phase = shallow_rise(value);
+    const auto [low, high] = std::ranges::minmax(quartic);
+    if (!phase && !moved && high > -near_zero * (high - low)) phase = shallow_rise(value);
     if (!phase) return std::nullopt;
     return Crossing{*phase, i, {}, Crossing::Event::stop, {}};
   }
@@ -123,11 +122,6 @@ struct CrossingSearch {
       if (value(x) < 0) return rise_between(value, x, 2 * x);
     }
     return step.start_phase + x * (step.end_phase - step.start_phase);
-  }
-
-  static bool comes_near_zero(const numerics::Quartic& quartic) {
-    const auto [low, high] = std::ranges::minmax(quartic);
-    return high > -near_zero * (high - low);
   }
 
   /// First zero of a function that is negative at the start of the step, searched near its largest value. A
@@ -181,21 +175,40 @@ struct CrossingSearch {
     return earliest;
   }
 
-  std::optional<Crossing> locate(std::size_t i, int guard, const contact::Guard& at_start,
-                                 const contact::Guard& at_end) {
+  /// Makes the first passage of contact `i` over a knot of its force the `earliest` event. A penetration at a
+  /// knot has passed it if it moves away.
+  void locate_knots(std::size_t i, std::optional<Crossing>& earliest) {
+    const contact::Kinematics &start = start_kinematics[i], &end = end_kinematics[i];
+    const auto& c = dynamics.system().contacts[i];
+    for (const double knot_m : c.law->knots_m()) {
+      const double above = start.penetration - knot_m / c.length_m;
+      const double way = above < 0 || (above == 0 && start.closing_speed <= 0) ? 1 : -1;
+      const auto guard = [&](const contact::Kinematics& k) {
+        return contact::Guard{way * (k.penetration - knot_m / c.length_m), way * k.closing_speed};
+      };
+      const auto phase =
+          locate(guard(start), guard(end), [&](double at) { return guard(inside(i, at)).value; });
+      if (phase && (!earliest || *phase < earliest->phase))
+        earliest = Crossing{*phase, i, {}, Crossing::Event::knot, {}};
+    }
+  }
+
+  /// Phase at which a guard rises through zero. `value_at`: its value by the phase.
+  template <class Value>
+  std::optional<double> locate(const contact::Guard& at_start, const contact::Guard& at_end,
+                               const Value& value_at) {
     const double h = step.end_phase - step.start_phase;
     if (numerics::clearly_below_zero(at_start.value, h * at_start.rate, at_end.value, h * at_end.rate))
       return std::nullopt;
-    const double middle = guard_value(i, guard, step.start_phase + h / 2);
+    const double middle = value_at(step.start_phase + h / 2);
     const auto rise = numerics::bernstein_root(
         numerics::quartic_through(at_start.value, h * at_start.rate, middle, at_end.value, h * at_end.rate));
-    const auto value = [&](double x) { return guard_value(i, guard, step.start_phase + x * h); };
+    const auto value = [&](double x) { return value_at(step.start_phase + x * h); };
     auto phase = rise ? refine(value, *rise) : std::nullopt;
     // Excludes a return from a graze. A guard that starts at zero may rise by any of its derivatives.
     if (!phase && at_end.value >= 0 && (at_start.value <= 0 || at_start.rate >= 0))
       phase = hidden_rise(value);
-    if (!phase) return std::nullopt;
-    return Crossing{*phase, i, at_start.next};
+    return phase;
   }
 
   /// Root of the true guard function `value` near the root of its interpolant, both in units of the step.

@@ -22,8 +22,9 @@ inline bool is_finite(const State& state) {
 
 /// First event inside a step; it ends the step.
 struct Crossing {
-  /// mode: a guard of a contact mode; stop: a slip reaches zero; release: a contact stops sticking.
-  enum class Event { mode, stop, release };
+  /// mode: a guard of a contact mode; stop: a slip reaches zero; release: a contact stops sticking; knot: a
+  /// penetration passes a point where the force is not smooth.
+  enum class Event { mode, stop, release, knot };
   double phase = 0;
   std::size_t contact = 0;
   contact::Mode next = contact::Mode::open;
@@ -56,6 +57,28 @@ class RightHandSide {
   virtual void jacobian(const State& state, double* by_state, double phase, State& by_phase) = 0;
 
   virtual double friction_ratio(const State& state) = 0;  ///< Friction ratio, as Dynamics::friction_ratio.
+};
+
+/// Adapts a law, whose type is a template, to the interface used by the methods.
+template <class Law>
+class LawOfSteps final : public RightHandSide {
+ public:
+  /// `law` must outlive this object.
+  explicit LawOfSteps(Law& law) : law_(law) {}
+
+  void operator()(const State& state, State& rate, double phase) override { law_(state, rate, phase); }
+
+  void jacobian(const State& state, double* by_state, double phase, State& by_phase) override {
+    const std::size_t size = state.size();
+    law_.jacobian(
+        state, [&](std::size_t row, std::size_t column) -> double& { return by_state[row * size + column]; },
+        phase, by_phase);
+  }
+
+  double friction_ratio(const State& state) override { return law_.friction_ratio(state); }
+
+ private:
+  Law& law_;
 };
 
 /// Method that makes the steps of a run. It is an interface because the adaptive solver is the reference for

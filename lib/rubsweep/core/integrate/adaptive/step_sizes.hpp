@@ -52,13 +52,13 @@ class StepSizes {
       next /= 4;
   }
 
-  /// Whether a step from `start_phase` is taken again, up to its first crossing, because a contact with a
-  /// curved law opens there: a step across that instant, where the state has no power series, would be no
-  /// better than its dense output.
+  /// Whether a step from `start_phase` is taken again, up to its first crossing, because a curved law is not
+  /// smooth there: a step across that instant would be no better than its dense output.
   bool retakes(const std::optional<Crossing>& crossing, double start_phase) {
     const bool opens = crossing && crossing->event == Crossing::Event::mode &&
                        crossing->next == contact::Mode::open && law_.system().contacts[crossing->contact].law;
-    retaken_ = opens && !retaken_ && crossing->phase - start_phase > shortest_retaken;
+    const bool ends = opens || (crossing && crossing->event == Crossing::Event::knot);
+    retaken_ = ends && !retaken_ && crossing->phase - start_phase > shortest_retaken;
     if (retaken_) next = crossing->phase - start_phase;
     return retaken_;
   }

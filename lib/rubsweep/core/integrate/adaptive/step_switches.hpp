@@ -43,7 +43,7 @@ class StepSwitches {
   bool make(const std::optional<Crossing>& crossing, run::TurnReport& report) {
     bool switched = false;
     std::fill(just_moved_.begin(), just_moved_.end(), false);
-    if (crossing && crossing->event != Crossing::Event::mode) {
+    if (crossing && crossing->event != Crossing::Event::mode && crossing->event != Crossing::Event::knot) {
       switch_slip(*crossing);
       switched = true;
     }

@@ -189,7 +189,8 @@ class ContactForces : public ContactStates<N, Smoothed> {
 
   contact::Guards guards(std::size_t i, contact::Mode mode, const contact::Kinematics& k) const {
     const Contact& c = system_.contacts[i];
-    return c.law ? curved_.guards(i, mode, k) : contact::guards_of(mode, c.stiffness, c.damping, k);
+    return c.law ? contact::curved_guards(mode, impact_damping(i), k)
+                 : contact::guards_of(mode, c.stiffness, c.damping, k);
   }
 
   double smoothing_width_;

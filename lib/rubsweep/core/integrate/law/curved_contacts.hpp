@@ -61,10 +61,6 @@ class CurvedContacts {
     return {slope, slope * (1 + damping_[i] * v), spring_n(i, p) * damping_[i]};
   }
 
-  contact::Guards guards(std::size_t i, contact::Mode mode, const contact::Kinematics& k) const {
-    return contact::curved_guards(mode, damping_[i], k);
-  }
-
  private:
   double spring_n(std::size_t i, double p) const {
     const Contact& c = system_.contacts[i];
