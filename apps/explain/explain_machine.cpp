@@ -13,6 +13,7 @@
 #include "rubsweep/core/contact/hertz_line.hpp"
 #include "rubsweep/core/contact/restitution.hpp"
 #include "rubsweep/core/contact/wall.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/constant_load.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
@@ -156,12 +157,14 @@ std::string left_out(const model::Machine& machine) {
 
 }  // namespace
 
-std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Cell& cell, std::size_t i) {
+std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Cell& cell, std::size_t i,
+                         const std::string& name) {
   const model::Stop& stop = prepared.machine.stops[i];
   const double mass_kg = prepared.assembly.contact_mass_kg[i];
   const scene::Contact& contact = cell.scene.contacts[i];
-  std::string text = fmt::format("stop {}{}: {}, clearance {} m\n", i, i == 0 ? " (kicked)" : "",
-                                 contact::describe(stop.geometry), stop.clearance_m);
+  std::string text =
+      fmt::format("stop {}{}{}: {}, clearance {} m\n", i, model::in_brackets(name), i == 0 ? " (kicked)" : "",
+                  contact::describe(stop.geometry), stop.clearance_m);
   if (model::kit_of(prepared.machine) != nullptr) {
     text += fmt::format("  at {} m of the shaft; mass behind the contact {:.4g} kg{}\n", *stop.position_m,
                         stop.contact_mass_kg.value_or(mass_kg),
@@ -181,13 +184,15 @@ std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Ce
   return text;
 }
 
-std::string explain_machine(const model::Machine& machine, double speed_hz) {
+std::string explain_machine(const model::Machine& machine, double speed_hz,
+                            const std::vector<std::string>& stop_names) {
   const scene::PreparedMachine prepared = scene::prepare_machine(structure::machine_at(machine, speed_hz));
   const scene::Cell cell = scene::build_cell(prepared, speed_hz, scene::WhirlRatio{0});
   const auto coordinates = cell.scene.structure.coordinates();
   const model::RotorKit* kit = model::kit_of(machine);
   std::string text = explain_rotor(prepared, kit != nullptr && model::has_tables(*kit));
-  for (std::size_t i = 0; i < machine.stops.size(); ++i) text += explain_stop(prepared, cell, i);
+  for (std::size_t i = 0; i < machine.stops.size(); ++i)
+    text += explain_stop(prepared, cell, i, model::name_at(stop_names, i));
   text += explain_kick(machine);
   text += fmt::format("states: {} ({} coordinates and their rates)\n", 2 * coordinates, coordinates);
   text += left_out(machine);

@@ -149,7 +149,7 @@ std::string explain_sweep(const sweep::Grid& grid) {
 
 std::string explain_study(const sweep::Study& study) {
   const auto [slowest, fastest] = std::minmax_element(study.grid.speed_hz.begin(), study.grid.speed_hz.end());
-  std::string text = explain_machine(study.machine, *slowest);
+  std::string text = explain_machine(study.machine, *slowest, study.stop_names);
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   text += explain_tables(study.machine, study.grid.speed_hz) + describe_sparse_tables(study.machine);
   text += sweep::where_rotor_is_unstable(study, prepared) + sweep::why_torsion_is_idle(prepared, *slowest) +

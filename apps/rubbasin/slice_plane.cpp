@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "rubsweep/core/contact/wall.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
@@ -93,7 +94,8 @@ void refuse_missing_casing(const StartNumber& number, const config::RunConfig& c
   }
   if (!stops[*number.casing].casing) {
     throw UsageError(
-        fmt::format("--plane: the casing of stop {} is rigid, allowed: one that moves", *number.casing));
+        fmt::format("--plane: the casing of stop {}{} is rigid, allowed: one that moves", *number.casing,
+                    model::in_brackets(model::name_at(config.study.stop_names, *number.casing))));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/measurement/fit/modelled_data.hpp"
@@ -123,7 +124,8 @@ std::string correlation_csv(const MachineFit& problem, const MachineFitResult& r
 
 }  // namespace
 
-FitTables tables_of(const MachineFit& problem, const MachineFitResult& result) {
+FitTables tables_of(const MachineFit& problem, const MachineFitResult& result,
+                    const model::Machine& machine) {
   FitTables tables{parameters_csv(problem, result),
                    correlation_csv(problem, result),
                    "data,kind,sensor,part,at,measured_m,modelled_m\n",
@@ -177,8 +179,9 @@ FitTables tables_of(const MachineFit& problem, const MachineFitResult& result) {
       const std::string doubt = doubt_of(series, residuals, left.size_m, all_series.size());
       doubted = doubted || !doubt.empty() || series.kind == "rub" || residuals.size() < fewest_to_test;
       if (!doubt.empty())
-        doubts += fmt::format("warning   something is missing in the {} of sensor {}: {}\n", series.part,
-                              series.sensor, doubt);
+        doubts += fmt::format(
+            "warning   something is missing in the {} of sensor {}{}: {}\n", series.part, series.sensor,
+            model::in_brackets(model::sensor_name(machine, static_cast<std::size_t>(series.sensor))), doubt);
     }
     tables.summary += too_much_left(problem.data[d], left, doubted) + doubts;
   }

@@ -16,7 +16,8 @@ struct FitTables {
   std::string summary;
 };
 
-FitTables tables_of(const fit::MachineFit& problem, const fit::MachineFitResult& result);
+FitTables tables_of(const fit::MachineFit& problem, const fit::MachineFitResult& result,
+                    const model::Machine& machine = {});
 
 /// A sentence that compares, by Schwarz' criterion, the fit with another fit of the same data that has fewer
 /// parameters. `without`: names of the parameters left out.

@@ -141,7 +141,7 @@ int run(const RubfitArguments& arguments) {
   watch.reset();
   if (result.fit.value.size() == 0) return nothing_was_found();
   const std::string phases = choose_phases(arguments, found, fitted, result);
-  FitTables tables = tables_of(problem, result);
+  FitTables tables = tables_of(problem, result, config.study.machine);
   if (!arguments.without.empty() && !result.fit.stopped) {
     const fit::MachineFitResult less = found(without(fitted, arguments.without), arguments.starts);
     // If the second fit is interrupted, the first one is still complete.

@@ -125,7 +125,7 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   if (const auto& ramp = arguments.run_up) {
     return outcome_of(tables_of(linear::run_up(machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s,
                                                ramp->eccentricity_m, sampling),
-                                arguments.shown));
+                                described, arguments.shown));
   }
   if (!machine.machine.kick) throw UsageError("--free-response: the configuration has no kick");
   const double slowest_hz = linear::lowest_frequency_hz(machine);
@@ -134,7 +134,7 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
         fmt::format("--sample-s: {} s are too long to see {:.4g} Hz, allowed: less than {:.4g} s",
                     sampling.sample_s, slowest_hz, 1 / (2 * slowest_hz)));
   }
-  return outcome_of(tables_of(linear::free_response(machine, arguments.duration_s, sampling)));
+  return outcome_of(tables_of(linear::free_response(machine, arguments.duration_s, sampling), described));
 }
 
 /// Picture type for rubplot, and the heading. Speeds in rpm stand at the axis, because they would make the

@@ -68,8 +68,8 @@ AskedExperiment experiment_of(const RubtraceArguments& arguments, const sweep::S
 /// begin at standstill.
 std::string explanation(const AskedExperiment& asked, const sweep::Study& study) {
   const double slowest_hz = *std::ranges::min_element(study.grid.speed_hz);
-  std::string text =
-      fmt::format("experiment: {}\n{}", asked.text, explain_machine(study.machine, slowest_hz));
+  std::string text = fmt::format("experiment: {}\n{}", asked.text,
+                                 explain_machine(study.machine, slowest_hz, study.stop_names));
   if (asked.speeds_hz.empty()) return text;
   sweep::Study turning = study;
   turning.grid.speed_hz = asked.speeds_hz;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 
@@ -66,6 +67,10 @@ std::string why_none(const RunUp& run_up, std::size_t sensor, const model::Shown
                      model::amplitude_text(run_up.largest_amplitude_m[sensor], shown, model::LengthUnit::m));
 }
 
+std::string sensor_of(const model::Machine& machine, std::size_t sensor, double angle_deg) {
+  return "sensor " + model::sensor_label(sensor, model::sensor_name(machine, sensor), angle_deg);
+}
+
 }  // namespace
 
 std::string sensors_csv(const LinearRun& run, const Eigen::MatrixXd& signal,
@@ -89,26 +94,26 @@ std::string sensors_csv(const LinearRun& run, const Eigen::MatrixXd& signal,
   return text;
 }
 
-ExperimentTables tables_of(const FreeResponse& response) {
+ExperimentTables tables_of(const FreeResponse& response, const model::Machine& machine) {
   ExperimentTables tables = begun(response.run, response.signal_m);
   for (std::size_t i = 0; i < response.decay.size(); ++i) {
-    const double angle_deg = response.angle_deg[i];
+    const std::string sensor = sensor_of(machine, i, response.angle_deg[i]);
     if (!response.decay[i]) {
-      tables.summary += fmt::format("sensor {} ({} deg)  does not see the kick\n", i, angle_deg);
+      tables.summary += fmt::format("{}  does not see the kick\n", sensor);
       continue;
     }
     const FreeDecay& fit = *response.decay[i];
     add(tables.identification_csv, "natural_frequency_hz", i, fit.natural_frequency_hz);
     add(tables.identification_csv, "damping_ratio", i, fit.damping_ratio);
     add(tables.identification_csv, "misfit", i, fit.misfit);
-    tables.summary +=
-        fmt::format("sensor {} ({} deg)  natural frequency {:.5g} Hz, damping ratio {:.4g}, misfit {:.2g}\n",
-                    i, angle_deg, fit.natural_frequency_hz, fit.damping_ratio, fit.misfit);
+    tables.summary += fmt::format("{}  natural frequency {:.5g} Hz, damping ratio {:.4g}, misfit {:.2g}\n",
+                                  sensor, fit.natural_frequency_hz, fit.damping_ratio, fit.misfit);
   }
   return tables;
 }
 
-ExperimentTables tables_of(const RunUp& run_up, const model::ShownLengths& shown) {
+ExperimentTables tables_of(const RunUp& run_up, const model::Machine& machine,
+                           const model::ShownLengths& shown) {
   ExperimentTables tables = begun(run_up.run, run_up.signal_m);
   for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
     const std::optional<double> top_hz = run_up.speed_of_largest_1x_hz[i];
@@ -124,7 +129,7 @@ ExperimentTables tables_of(const RunUp& run_up, const model::ShownLengths& shown
       add(tables.identification_csv, "resonance_misfit", i, fit->misfit);
     }
     tables.summary += fmt::format(
-        "sensor {} ({} deg)  {}\n", i, run_up.angle_deg[i],
+        "{}  {}\n", sensor_of(machine, i, run_up.angle_deg[i]),
         top_hz ? fmt::format("1X largest at {} of this ramp, {}; {}", model::speed_text(*top_hz, 5),
                              model::amplitude_text(largest_m, shown, model::LengthUnit::m),
                              resonance_text(run_up.resonance[i]))

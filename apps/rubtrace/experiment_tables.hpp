@@ -5,6 +5,7 @@
 
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/core/model/length_text.hpp"
+#include "rubsweep/core/model/machine.hpp"
 
 namespace rubsweep::apps {
 
@@ -22,8 +23,9 @@ struct ExperimentTables {
 std::string sensors_csv(const linear::LinearRun& run, const Eigen::MatrixXd& signal,
                         const std::vector<int>& derivative = {});
 
-ExperimentTables tables_of(const linear::FreeResponse& response);
+ExperimentTables tables_of(const linear::FreeResponse& response, const model::Machine& machine);
 /// Tables and summary of a run-up. `shown`: unit of amplitudes in the summary, m by default.
-ExperimentTables tables_of(const linear::RunUp& run_up, const model::ShownLengths& shown = {});
+ExperimentTables tables_of(const linear::RunUp& run_up, const model::Machine& machine,
+                           const model::ShownLengths& shown = {});
 
 }  // namespace rubsweep::apps

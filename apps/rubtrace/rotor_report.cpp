@@ -121,11 +121,12 @@ void add_critical_map(const model::Machine& machine, const ReportSpeeds& speeds,
 }
 
 /// Adds what only a shaft has: its parts, its static line and its critical speed map.
-void add_shaft(const model::Machine& machine, const ReportSpeeds& speeds, const design::WholeRotor& rotor,
+void add_shaft(const sweep::Study& study, const ReportSpeeds& speeds, const design::WholeRotor& rotor,
                const Eigen::VectorXcd& response, Report& report) {
+  const model::Machine& machine = study.machine;
   const model::Machine now = structure::machine_at(machine, speeds.deflected_hz);
   const model::RotorKit& kit = *model::kit_of(now);
-  report.files["rotor_parts.csv"] = rotor_parts_csv(machine);
+  report.files["rotor_parts.csv"] = rotor_parts_csv(machine, study.stop_names);
   const bool given = machine.gravity_m_per_s2 > 0;
   const double gravity = given ? machine.gravity_m_per_s2 : design::standard_gravity_m_per_s2;
   // More stations change no number at the others, and show the curves between them.
@@ -197,9 +198,9 @@ void add_stability(const design::WholeRotor& rotor, bool shaft, double speed_hz,
                                 model::speed_text(speed_hz), end);
 }
 
-Report report_of(const RubtraceArguments& arguments, const model::Machine& machine,
-                 const ReportSpeeds& speeds) {
+Report report_of(const RubtraceArguments& arguments, const sweep::Study& study, const ReportSpeeds& speeds) {
   Report report;
+  const model::Machine& machine = study.machine;
   const design::WholeRotor rotor(machine);
   const model::RotorKit* kit = model::kit_of(machine);
   const linear::FreeRotor shown =
@@ -224,7 +225,7 @@ Report report_of(const RubtraceArguments& arguments, const model::Machine& machi
                                                            model::speed_text(speeds.deflected_hz))});
   }
   if (kit != nullptr) {
-    add_shaft(machine, speeds, rotor, response, report);
+    add_shaft(study, speeds, rotor, response, report);
   } else {
     for (const char* picture : {"rotor", "static_line", "critical_map", "mode_shapes"})
       report.notes.push_back({picture, "left out: a Jeffcott rotor is one disc and has no shaft"});
@@ -270,7 +271,7 @@ int run_rotor_report(const RubtraceArguments& arguments, const config::RunConfig
   const ResultDirectory made(directory, report_file_names);
   std::optional<WorkingTime> working(std::in_place, "rubtrace", "computes the rotor report",
                                      !arguments.quiet);
-  Report report = report_of(arguments, study.machine, speeds);
+  Report report = report_of(arguments, study, speeds);
   working.reset();
   report.files.emplace("config.yaml", config::print_config(config));
   {

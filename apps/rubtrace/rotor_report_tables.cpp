@@ -82,7 +82,7 @@ std::string support_label(const model::RotorKit& kit, std::size_t support) {
   return label_of("support", support, model::support_name(kit, support));
 }
 
-std::string rotor_parts_csv(const model::Machine& machine) {
+std::string rotor_parts_csv(const model::Machine& machine, const std::vector<std::string>& stop_names) {
   const model::RotorKit& kit = *model::kit_of(machine);
   std::vector<Part> parts;
   add_shaft(kit, parts);
@@ -106,7 +106,8 @@ std::string rotor_parts_csv(const model::Machine& machine) {
   for (std::size_t i = 0; i < kit.static_loads.size(); ++i)
     parts.push_back({"load", label_of("load", i), kit.static_loads[i].position_m});
   for (std::size_t i = 0; i < machine.stops.size(); ++i)
-    parts.push_back({"stop", label_of("stop", i), *machine.stops[i].position_m});
+    parts.push_back(
+        {"stop", label_of("stop", i, model::name_at(stop_names, i)), *machine.stops[i].position_m});
   for (std::size_t i = 0; i < kit.sensors.size(); ++i) {
     parts.push_back({"probe", label_of("probe", i, kit.sensors[i].name), kit.sensors[i].position_m});
     parts.back().angle_deg = kit.sensors[i].angle_deg;

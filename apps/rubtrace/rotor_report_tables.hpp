@@ -25,7 +25,7 @@ struct ReportNote {
 /// Parts of a rotor kit: element (layer, shaft, disc, point_mass, bearing, seal, coupling, load, stop,
 /// probe), name, position_m, end_m, diameters inner_m, outer_m, inner_end_m, outer_end_m, mass_kg,
 /// polar_inertia_kg_m2, angle_deg.
-std::string rotor_parts_csv(const model::Machine& machine);
+std::string rotor_parts_csv(const model::Machine& machine, const std::vector<std::string>& stop_names = {});
 
 /// Columns position_m, deflection_x_m, deflection_y_m, shear_x_n, shear_y_n, moment_x_nm, moment_y_nm; a
 /// place where a force acts has two rows.

@@ -24,6 +24,7 @@
 #include "rubsweep/analysis/trace/trace_run.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
@@ -97,7 +98,10 @@ trace::Probes probes_of(const RubtraceArguments& arguments, const scene::Prepare
         fmt::format("--sample-s: allowed: short enough for {} samples or more", fewest_readings));
   if (!arguments.probe.empty()) return probes_of(arguments.probe, prepared, arguments.sample_s);
   const linear::SensorRows sensors = linear::sensor_rows(prepared);
-  return {sensors.rows, sensors.angle_deg, arguments.sample_s, arguments.noise_m};
+  trace::Probes probes{sensors.rows, sensors.angle_deg, arguments.sample_s, arguments.noise_m};
+  for (std::size_t i = 0; i < probes.angle_deg.size(); ++i)
+    probes.name.push_back(model::sensor_name(prepared.machine, i));
+  return probes;
 }
 
 std::vector<double> places_of_probes(const RubtraceArguments& arguments, const model::Machine& machine) {

@@ -27,8 +27,8 @@ def operating_hz(directory):
 
 
 def note_text(directory, picture):
-    """All remarks on a picture in one line."""
-    return "; ".join(row["note"] for row in notes(directory).get(picture, []))
+    """All remarks on a picture in one line, with the micrometres of a picture in place of a terminal's."""
+    return "; ".join(row["note"] for row in notes(directory).get(picture, [])).replace(" um", " µm")
 
 
 def require(directory, name, picture):

@@ -39,7 +39,8 @@ def read_stops(config):
         place = configuration.number(config[path + "position_m"]) if path + "position_m" in config else observed
         here = place is None or abs(place - observed) < SAME_PLACE
         if not here:
-            others.append(f"stop {i} at {1e3 * place:.4g} mm")
+            name = f" ({configuration.text(config[path + 'name'])})" if path + "name" in config else ""
+            others.append(f"stop {i}{name} at {1e3 * place:.4g} mm")
         _add_stop(stops, config, i, here)
     if others:
         stops.places = f"seen at {1e3 * observed:.4g} mm, {', '.join(others)}"

@@ -7,7 +7,7 @@ from rubplot.pictures import deflected_shape
 
 class DeflectedShape(rotor_report_fixture.ReportTest):
     def test_the_picture_says_what_it_shows(self):
-        self.expect_clear("deflected-shape", "Pump: Deflected shape", "at 50 Hz (3000 rpm) with an eccentricity of 3 um",
+        self.expect_clear("deflected-shape", "Pump: Deflected shape", "at 50 Hz (3000 rpm) with an eccentricity of 3 µm",
                           "half of the major axis (µm)", "orbits", "shaft at one instant", "bearing", "place along the shaft (mm)")
 
     def test_a_disc_without_a_shaft_has_one_orbit(self):

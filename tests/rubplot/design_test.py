@@ -53,6 +53,21 @@ class Design(figures.FigureTest):
         self.assertIn("probe 1 (free end x)", words)
         self.assertEqual(figures.over_each_other(root), [])
 
+    def named_stops(self, count):
+        names = ["seal beside the disc", "catcher", "a", "b", "c", "d"][:count]
+        rows = [row + "," for row in CHECKS.splitlines() if not row.startswith(("check", "clearance"))]
+        rows += [f"clearance,stop {i},0.29,30,3e-04,1.5e-4,m,0.5,ok,{name}" for i, name in enumerate(names)]
+        self.write("design_check.csv", "\n".join([CHECKS.splitlines()[0] + ",name", *rows]) + "\n")
+        of_stop = RESPONSE[RESPONSE.index("stop 0"):]
+        self.write("unbalance_response.csv", RESPONSE + "".join(of_stop.replace("stop 0", f"stop {i}") for i in range(1, count)))
+        return self.draw("design")
+
+    def test_names_of_stops_leave_the_axis_above_them_room(self):
+        for count, word in ((2, "stop 0 (seal beside the disc)"), (5, "stop 0 (seal beside…)"), (6, "stop 0")):
+            root = self.named_stops(count)
+            self.assertIn(word, figures.words(root))
+            self.assertEqual(figures.over_each_other(root), [])
+
     def test_of_many_checks_those_that_are_not_met_and_the_smallest_margins_are_shown(self):
         rows = [f"separation,configured at probe {k},0.25,{30 + k},-0.1,0.2,1,{margin},{verdict}"
                 for k, (margin, verdict) in enumerate([(0.9, "ok")] * 12 + [(0.01, "ok"), (-0.123, "not_met")])]

@@ -31,5 +31,7 @@ class Stops(unittest.TestCase):
         stop = {"kind": "one_side", "clearance_m": "1e-3", "angle_deg": "90"}
         config = {f"stops.{i}.{key}": value for i in (0, 1) for key, value in stop.items()}
         config |= {"stops.0.position_m": "0.3", "stops.1.position_m": "0.35"}
+        config["stops.1.name"] = '"seal: 2"'
         found = stops.read_stops(config)
         self.assertEqual([len(found.walls), len(found.elsewhere)], [1, 1])
+        self.assertEqual(found.places, "seen at 300 mm, stop 1 (seal: 2) at 350 mm")

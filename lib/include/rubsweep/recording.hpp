@@ -20,8 +20,7 @@
 /// const auto channels = recording::read_delimited_text(table, "mine.csv");
 /// const auto measured = recording::make_recording(channels, instrument, "mine.csv");
 /// const auto verdict = scope::judge(measured);
-/// std::printf("%s at %g Hz\n", std::string(to_string(verdict.motion)).c_str(),
-///             measured.mean_speed_hz());
+/// std::printf("%s at %g Hz\n", std::string(to_string(verdict.motion)).c_str(), measured.mean_speed_hz());
 /// ```
 
 #include "rubsweep/measurement/recording/instrument.hpp"

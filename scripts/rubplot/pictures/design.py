@@ -11,7 +11,7 @@ from rubplot.subcommand import Subcommand
 
 MOST_CURVES = 8  # of probes and of stops each
 MOST_ROWS = 14
-MOST_LETTERS = 32  # of a name in the legend
+MOST_LETTERS = ((2, 32), (5, 12))  # of a name in a legend of at most so many curves; of more curves there are numbers only
 PLACES = r"(?:(?:configured|mode [12]|left end|right end) at )?(?:probe|stop|support) \d+"
 CHECKS = {"vibration": "vibration", "clearance": "clearance", "dry_whip": "dry whip", "stability": "stability",
           "clearance_to_trip": "to trip", "response": "response", "separation": "separation", "amplification": "AF",
@@ -46,8 +46,8 @@ def picture(given):
             "quiet": mark_lines([hz for hz, force in kicks if force is None], speed.factor),
             "locks": mark_lines(dict.fromkeys(locks), speed.factor),
             "labels.gp": [
-                *(f"probe_name_{i} = {gnuplot_text.quoted(names.get(place, place))}" for i, (place, _) in enumerate(probes)),
-                *(f"stop_name_{i} = {gnuplot_text.quoted(place)}" for i, (place, _) in enumerate(stops)),
+                *(f"probe_name_{i} = {gnuplot_text.quoted(text)}" for i, text in enumerate(named(probes, names))),
+                *(f"stop_name_{i} = {gnuplot_text.quoted(text)}" for i, text in enumerate(named(stops, names))),
                 f"limit = {1e6 * limits[0] if limits else 0:.17g}",
                 f"top_share = {top_share(stops):.17g}",
                 f"any_kicks = {any(force is not None for _, force in kicks):d}",
@@ -71,13 +71,19 @@ def curves(path):
 
 
 def names_of(path):
-    """`probe 0 (drive end x)` of each probe whose sensors have names; tables of earlier versions have no names."""
-    return {row["place"]: f"{row['place']} ({shortened(row['name'])})" for row in csv_table.read_table(path, "check", "place")
-            if row["check"] == "vibration" and row.get("name")}
+    """The name of each place that has one; tables of earlier versions have no names."""
+    return {row["place"]: row["name"] for row in csv_table.read_table(path, "check", "place")
+            if row["check"] in ("vibration", "clearance") and row.get("name")}
 
 
-def shortened(name):
-    return name if len(name) <= MOST_LETTERS else name[:MOST_LETTERS - 1] + "…"
+def named(curves_of_kind, names):
+    """`probe 0 (drive end x)` for each curve, so short that the legend stays above its panel."""
+    most = next((letters for curves, letters in MOST_LETTERS if len(curves_of_kind) <= curves), 0)
+    return [f"{place} ({shortened(names[place], most)})" if most and place in names else place for place, _ in curves_of_kind]
+
+
+def shortened(name, most):
+    return name if len(name) <= most else name[:most - 1] + "…"
 
 
 def check_rows(path):

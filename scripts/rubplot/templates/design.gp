@@ -41,7 +41,7 @@ do for [format in formats] {
   set tmargin at screen 0.87
   set bmargin at screen 0.565
   set yrange [0:*]
-  set xlabel ARG5
+  # The panel below has the same axis and its label, and its legend takes the place of one here.
   # Not as labels of the axes: beside a fixed margin these may come over the numbers.
   set label 1004 "probes (µm peak to peak)" at screen 0.015, 0.72 center rotate by 90
   plot for [i = 0:probes - 1] probe(i) using 1:2 with lines linewidth 2 dashtype dash(i) linecolor rgb colours[i + 1] \
@@ -51,6 +51,7 @@ do for [format in formats] {
 
   eval no_rpm
   set key at graph 0, graph 1.02
+  set xlabel ARG5
   set tmargin at screen 0.415
   set bmargin at screen 0.115
   set logscale y

@@ -11,7 +11,7 @@ do for [format in formats] {
   set label 1003 ARG2 at screen 0.995, 0.02 right font ",13" noenhanced
   set style textbox opaque noborder fillcolor rgb "white" margins 0.3, 0.1
   load "labels.gp"
-  set lmargin at screen 0.07
+  set lmargin at screen 0.08
   set rmargin at screen 0.985
   set bmargin at screen (ARG2 eq "" ? 0.135 : 0.16)
   set tmargin at screen 0.86

@@ -6,5 +6,5 @@ shaft_view = "set xrange [from - 2.3 * right * (to - from):to + 1.2 * right * (t
   "set arrow 2 from graph 0.015, first -1.05 rto graph 0, first 0.3 size graph 0.008, 20 linewidth 1 linecolor rgb '#555555'; " . \
   "set arrow 3 from graph 0.015, first -1.05 rto first 0.35 * right * (to - from), first 0.35 * up size graph 0.008, 20 linewidth 1 " . \
   "linecolor rgb '#555555'; " . \
-  "set label 11 'y' at graph 0.015, first -0.68 center font ',15'; " . \
-  "set label 12 'x' at graph 0.015, first -1.05 right offset first 0.48 * right * (to - from), first 0.45 * up font ',15'"
+  "set label 11 'y' at graph 0.015, first -0.56 center font ',15'; " . \
+  "set label 12 'x' at graph 0.015, first -1.05 right offset first 0.75 * right * (to - from), first 0.5 * up font ',15'"

@@ -105,6 +105,20 @@ TEST(DesignTables, NothingIsOkOfAnUnstableRotorButItsDryWhip) {
             "kick,,,60,17.5,,N,,,\n");
 }
 
+TEST(DesignTables, NamesOfStopsStandBehindTheirNumbers) {
+  DesignCheck check = tabled_check();
+  check.stop_names = {"", "catcher"};
+  check.clearances.push_back({1, 0.4, 30, 3e-5, 2e-4, 0.8});
+  const std::string page = design_page(check), csv = tables_of(check).design_check_csv;
+  EXPECT_NE(page.find("  stop 0: 30 um of"), std::string::npos) << page;
+  EXPECT_NE(page.find("  stop 1 (catcher) at 0.4 m: 30 um of"), std::string::npos) << page;
+  EXPECT_NE(page.find("  stop 1 (catcher): none at any friction: ok\n"), std::string::npos) << page;
+  EXPECT_NE(csv.find("clearance,stop 1,0.4,30,3e-05,0.00015000000000000001,m,0.8,ok,catcher\n"),
+            std::string::npos)
+      << csv;
+  EXPECT_NE(csv.find("dry_whip,stop 1,,,0.25,,1,1,ok,catcher\n"), std::string::npos) << csv;
+}
+
 TEST(DesignTables, LimitOfTheProbesIsThatOfTheOperatingRange) {
   EXPECT_EQ(tables_of(tabled_check()).unbalance_response_csv,
             "place,position_m,speed_hz,major_axis_m,limit_m\n"

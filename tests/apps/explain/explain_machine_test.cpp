@@ -42,6 +42,9 @@ TEST(ExplainMachine, RotorKitSaysWhatItWasReducedTo) {
   EXPECT_TRUE(says(text, "number of modes: as configured\n"));
   EXPECT_TRUE(says(text, "  at 0.2 m of the shaft; mass behind the contact "));
   EXPECT_TRUE(says(text, "states: 12 (6 coordinates and their rates)\n"));
+  const std::string named = explain_machine(scene::both_sides_machine(), 45, {"upper", "lower"});
+  EXPECT_TRUE(says(named, "stop 0 (upper) (kicked): one side at 90 degrees"));
+  EXPECT_TRUE(says(named, "stop 1 (lower): one side at -90 degrees"));
   EXPECT_FALSE(says(text, "tilting"));
   EXPECT_FALSE(says(text, "  supports: "));
   model::kit_of(machine)->supports[1].name = "BearingElement_Free end";

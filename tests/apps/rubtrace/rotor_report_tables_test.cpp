@@ -68,6 +68,7 @@ TEST(RotorReportTables, PartsHaveTheNamesOfTheirFileOrTheirNumbers) {
     EXPECT_NE(parts.find(row), std::string::npos) << row << parts;
   kit.discs[0].name = "Impeller";
   EXPECT_NE(rotor_parts_csv(machine).find("disc,Impeller,0.2,"), std::string::npos);
+  EXPECT_NE(rotor_parts_csv(machine, {"seal"}).find("stop,seal,0.2,"), std::string::npos);
 }
 
 TEST(RotorReportTables, BearingsWithoutATableHaveOneStiffness) {

@@ -32,5 +32,22 @@ TEST(ElementName, WithoutANameThereAreNoBrackets) {
   EXPECT_EQ(in_brackets(""), "");
 }
 
+TEST(ElementName, ASensorHasItsNameBeforeItsDirection) {
+  EXPECT_EQ(sensor_label(2, "DE x", 37.5), "2 (DE x, 37.5 deg)");
+  EXPECT_EQ(sensor_label(0, "", 90), "0 (90 deg)");
+  Machine machine;
+  EXPECT_EQ(sensor_name(machine, 0), "") << "the directions x and y of a Jeffcott rotor";
+  RotorKit kit;
+  kit.sensors = {{.name = "DE x"}};
+  machine.rotor = kit;
+  EXPECT_EQ(sensor_name(machine, 0), "DE x");
+  EXPECT_EQ(sensor_name(machine, 1), "");
+}
+
+TEST(ElementName, AListOfNamesMayBeShorter) {
+  EXPECT_EQ(name_at({"seal"}, 0), "seal");
+  EXPECT_EQ(name_at({"seal"}, 1), "");
+}
+
 }  // namespace
 }  // namespace rubsweep::model

@@ -31,11 +31,6 @@ double diametral_clearance_m(const scene::PreparedMachine& prepared, std::size_t
 constexpr int campbell_speeds = 101;
 constexpr int whip_speeds = 11;
 
-linear::Campbell modes_over(const SpeedRange& range, const model::Machine& machine) {
-  return linear::campbell(linear::free_rotor(machine),
-                          batch::evenly_spaced(range.from_hz, range.to_hz, campbell_speeds), 2 * range.to_hz);
-}
-
 std::vector<ProbeResponse> probe_responses(const scene::PreparedMachine& prepared, Responses& response,
                                            double eccentricity_m, const std::vector<double>& speeds_hz) {
   std::vector<ProbeResponse> probes;
@@ -63,12 +58,12 @@ WhipMargin whip_margin(const scene::PreparedMachine& prepared, std::size_t stop,
 
 std::vector<ResponseCurve> curves_over(const scene::PreparedMachine& prepared, Responses& response,
                                        double eccentricity_m, const std::vector<double>& speeds_hz) {
-  const std::vector<WatchedPlace> probes = probe_places(prepared), stops = stop_places(prepared);
   std::vector<ResponseCurve> curves;
-  for (std::size_t k = 0; k < probes.size(); ++k)
-    curves.push_back({true, k, probes[k].position_m, speeds_hz, {}});
-  for (std::size_t k = 0; k < stops.size(); ++k)
-    curves.push_back({false, k, stops[k].position_m, speeds_hz, {}});
+  for (const bool probe : {true, false}) {
+    std::size_t number = 0;
+    for (const WatchedPlace& place : probe ? probe_places(prepared) : stop_places(prepared))
+      curves.push_back({probe, number++, place.position_m, speeds_hz, {}});
+  }
   for (ResponseCurve& curve : curves)
     for (const double speed_hz : speeds_hz)
       curve.major_axis_m.push_back(eccentricity_m *
@@ -150,7 +145,7 @@ void add_trip_clearances(const scene::PreparedMachine& prepared, Responses& resp
     const std::vector<double> beyond = batch::evenly_spaced(check.whole.to_hz, to_hz, speeds);
     for (const ClearanceMargin& one :
          margins_over(prepared, response, check.scale * check.eccentricity_m, beyond)) {
-      Term term = clearance_term("clearance_to_trip", one);
+      Term term = clearance_term("clearance_to_trip", one, check.stop_names);
       term.met = one.margin >= 0;
       if (check.whole_growth.growth_per_s > 0) refuse_verdict(term, grows_away);
       if (check.decays_to_hz && *check.decays_to_hz < to_hz) refuse_verdict(term, grows_beyond);
@@ -158,10 +153,9 @@ void add_trip_clearances(const scene::PreparedMachine& prepared, Responses& resp
     }
   }
   if (to_hz < trip_hz) {
-    Term term{"clearance_to_trip", "", {}, trip_hz};
-    term.not_told = "tables of supports end at " + model::speed_text(to_hz, 5) + ", the trip speed is " +
-                    model::speed_text(trip_hz, 5);
-    check.lateral.push_back(std::move(term));
+    check.lateral.push_back(untold("clearance_to_trip", trip_hz,
+                                   "tables of supports end at " + model::speed_text(to_hz, 5) +
+                                       ", the trip speed is " + model::speed_text(trip_hz, 5)));
   }
 }
 
@@ -224,13 +218,16 @@ SpeedRange whole_range(const model::Machine& machine, const SpeedRange& operatin
 DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine& prepared,
                          const DesignQuestions& questions) {
   DesignCheck check;
+  check.stop_names = study.stop_names;
   check.operating = questions.operating;
   check.whole = whole_range(study.machine, questions.operating);
   structure::refuse_beyond_tables(study.machine, check.whole.from_hz, check.whole.to_hz);
   check.eccentricity_m = questions.eccentricity_m ? *questions.eccentricity_m
                                                   : analysis_eccentricity_m(study.machine, check.whole.to_hz);
   check.vibration_limit_m = vibration_limit_m(check.whole.to_hz);
-  const linear::Campbell modes = modes_over(check.whole, study.machine);
+  const linear::Campbell modes = linear::campbell(
+      linear::free_rotor(study.machine),
+      batch::evenly_spaced(check.whole.from_hz, check.whole.to_hz, campbell_speeds), 2 * check.whole.to_hz);
   for (const linear::GrowthAt& one : modes.growth) {
     if (one.growth_per_s > check.whole_growth.growth_per_s) check.whole_growth = one;
     if (check.operating.contains(one.speed_hz) && one.growth_per_s > check.growth.growth_per_s)

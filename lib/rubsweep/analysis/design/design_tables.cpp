@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -27,17 +28,8 @@ std::string at(const std::optional<double>& position_m) {
   return position_m ? fmt::format(" at {:.4g} m", *position_m) : "";
 }
 
-/// Prints lengths of the page in their units.
-class Lengths {
- public:
-  explicit Lengths(const model::ShownLengths& shown) : shown_(shown) {}
-  std::string operator()(double length_m) const {
-    return model::length_text(length_m, shown_, model::LengthUnit::um);
-  }
-
- private:
-  model::ShownLengths shown_;
-};
+/// Prints a length of the page in its unit.
+using Lengths = std::function<std::string(double)>;
 
 /// Verdict for a limit. While a free vibration grows, the steady response does not last, so that a limit
 /// which is met says nothing.
@@ -76,17 +68,22 @@ std::string vibration_lines(const DesignCheck& check, const Lengths& length) {
                             end_of_scale(check.scale), length(check.scale * check.eccentricity_m));
 }
 
+std::string stop_in(const DesignCheck& check, std::size_t stop) {
+  return fmt::format("stop {}{}", stop, in_brackets(model::name_at(check.stop_names, stop)));
+}
+
 std::string clearance_lines(const DesignCheck& check, const Lengths& length) {
   std::string text = fmt::format("clearance major axis against {:.4g} % of the diametral clearance\n",
                                  100 * clearance_share);
   for (const ClearanceMargin& one : check.clearances) {
+    const std::string stop = stop_in(check, one.stop);
     if (one.diametral_clearance_m == 0) {
-      text += fmt::format("  stop {}{}: the rotor rests on it at {}: NOT MET\n", one.stop, at(one.position_m),
+      text += fmt::format("  {}{}: the rotor rests on it at {}: NOT MET\n", stop, at(one.position_m),
                           speed(one.speed_hz));
       continue;
     }
     text +=
-        fmt::format("  stop {}{}: {} of {} at {}, margin {:.1f} %: {}\n", one.stop, at(one.position_m),
+        fmt::format("  {}{}: {} of {} at {}, margin {:.1f} %: {}\n", stop, at(one.position_m),
                     length(one.major_axis_m), length(clearance_share * one.diametral_clearance_m),
                     speed(one.speed_hz), 100 * one.margin, if_lasting(one.margin >= 0, check.whole_growth));
   }
@@ -98,12 +95,12 @@ std::string whip_lines(const DesignCheck& check) {
   if (check.whips.empty()) text += "  no annular stop\n";
   for (const WhipMargin& one : check.whips) {
     if (!one.needs) {
-      text += fmt::format("  stop {}: none at any friction: ok\n", one.stop);
+      text += fmt::format("  {}: none at any friction: ok\n", stop_in(check, one.stop));
       continue;
     }
     text +=
-        fmt::format("  stop {}: friction {:.4g} of {:.4g}, {:.4g} Hz backward at {}, margin {:.1f} %: {}\n",
-                    one.stop, one.friction, one.needs->least_friction, one.needs->whirl_hz,
+        fmt::format("  {}: friction {:.4g} of {:.4g}, {:.4g} Hz backward at {}, margin {:.1f} %: {}\n",
+                    stop_in(check, one.stop), one.friction, one.needs->least_friction, one.needs->whirl_hz,
                     speed(one.needs->speed_hz), 100 * one.margin(), verdict(one.margin() > 0));
   }
   return text;
@@ -247,7 +244,9 @@ std::string kicks_csv(const DesignCheck& check) {
 }  // namespace
 
 std::string design_page(const DesignCheck& check, const model::ShownLengths& shown) {
-  const Lengths length(shown);
+  const Lengths length = [&](double length_m) {
+    return model::length_text(length_m, shown, model::LengthUnit::um);
+  };
   return answer_lines(check) +
          fmt::format("operating {} to {}, clearances from {} on\n", speed(check.operating.from_hz),
                      speed(check.operating.to_hz), speed(check.whole.from_hz)) +

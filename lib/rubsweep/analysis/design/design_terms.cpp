@@ -6,26 +6,24 @@
 #include <cmath>
 #include <utility>
 
+#include "rubsweep/core/model/element_name.hpp"
+
 namespace rubsweep::design {
 namespace {
 
 std::string stop_name(std::size_t stop) { return fmt::format("stop {}", stop); }
 
-std::optional<double> speed_of(const std::optional<DryWhip>& whip) {
-  return whip ? std::optional(whip->speed_hz) : std::nullopt;
-}
-
 }  // namespace
 
-Term clearance_term(std::string check, const ClearanceMargin& margin) {
-  return {std::move(check),
-          stop_name(margin.stop),
-          margin.position_m,
-          margin.speed_hz,
-          margin.major_axis_m,
-          clearance_share * margin.diametral_clearance_m,
-          "m",
-          std::isfinite(margin.margin) ? std::optional(margin.margin) : std::nullopt};
+Term clearance_term(std::string check, const ClearanceMargin& margin,
+                    const std::vector<std::string>& stop_names) {
+  Term term{std::move(check), stop_name(margin.stop), margin.position_m, margin.speed_hz,
+            margin.major_axis_m};
+  term.limit = clearance_share * margin.diametral_clearance_m;
+  term.unit = "m";
+  if (std::isfinite(margin.margin)) term.margin = margin.margin;
+  term.name = model::name_at(stop_names, margin.stop);
+  return term;
 }
 
 std::vector<Term> terms_of(const DesignCheck& check) {
@@ -39,33 +37,24 @@ std::vector<Term> terms_of(const DesignCheck& check) {
     const double margin = 1 - probe.major_axis_m.value / check.vibration_limit_m;
     terms.push_back({"vibration", fmt::format("probe {}", k), probe.position_m, probe.major_axis_m.speed_hz,
                      probe.major_axis_m.value, check.vibration_limit_m, "m", margin,
-                     if_lasting(margin >= 0, check.growth), {}, probe.name});
+                     if_lasting(margin >= 0, check.growth)});
+    terms.back().name = probe.name;
   }
   for (const ClearanceMargin& one : check.clearances) {
-    terms.push_back(clearance_term("clearance", one));
+    terms.push_back(clearance_term("clearance", one, check.stop_names));
     terms.back().met = if_lasting(one.margin >= 0, check.whole_growth);
   }
   for (const WhipMargin& one : check.whips) {
-    terms.push_back({"dry_whip",
-                     stop_name(one.stop),
-                     {},
-                     speed_of(one.needs),
-                     one.friction,
-                     one.needs ? std::optional(one.needs->least_friction) : std::nullopt,
-                     "1",
-                     one.margin(),
-                     one.margin() > 0});
+    Term& term = terms.emplace_back(Term{"dry_whip", stop_name(one.stop), {}, {}, one.friction});
+    if (one.needs) term.speed_hz = one.needs->speed_hz, term.limit = one.needs->least_friction;
+    term.unit = "1";
+    term.margin = one.margin();
+    term.met = one.margin() > 0;
+    term.name = model::name_at(check.stop_names, one.stop);
   }
-  const bool grows = check.growth.growth_per_s > 0;
-  terms.push_back({"stability",
-                   "",
-                   {},
-                   grows ? std::optional(check.growth.speed_hz) : std::nullopt,
-                   check.growth.growth_per_s,
-                   0.0,
-                   "1/s",
-                   {},
-                   !grows});
+  Term& stability = terms.emplace_back(Term{"stability", "", {}, {}, check.growth.growth_per_s, 0.0, "1/s"});
+  stability.met = !(check.growth.growth_per_s > 0);
+  if (!*stability.met) stability.speed_hz = check.growth.speed_hz;
   terms.insert(terms.end(), check.lateral.begin(), check.lateral.end());
   if (const KickThreshold* kick = check.smallest_kick(); kick != nullptr)
     terms.push_back({"kick", "", {}, kick->speed_hz, *kick->force_n, {}, "N"});
@@ -75,13 +64,9 @@ std::vector<Term> terms_of(const DesignCheck& check) {
 Answer answer_of(const DesignCheck& check) {
   const std::vector<Term> terms = terms_of(check);
   if (std::ranges::any_of(terms, [](const Term& term) { return term.met == false; })) return Answer::not_met;
-  return check.whole_growth.growth_per_s > 0 ||
-                 std::ranges::any_of(terms,
-                                     [](const Term& term) {
-                                       return !term.not_told.empty() && !term.check.starts_with("level_1");
-                                     })
-             ? Answer::not_told
-             : Answer::pass;
+  const bool unknown = std::ranges::any_of(
+      terms, [](const Term& term) { return !term.not_told.empty() && !term.check.starts_with("level_1"); });
+  return unknown || check.whole_growth.growth_per_s > 0 ? Answer::not_told : Answer::pass;
 }
 
 }  // namespace rubsweep::design

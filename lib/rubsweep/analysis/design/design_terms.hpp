@@ -8,7 +8,8 @@
 namespace rubsweep::design {
 
 /// Term for a clearance, without a verdict.
-Term clearance_term(std::string check, const ClearanceMargin& margin);
+Term clearance_term(std::string check, const ClearanceMargin& margin,
+                    const std::vector<std::string>& stop_names);
 
 /// All terms of a check: vibration, clearances, dry whip, stability, those of the lateral analysis, the
 /// smallest kick.

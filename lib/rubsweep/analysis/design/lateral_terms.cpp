@@ -20,8 +20,7 @@ using Eigen::Index;
 /// Terms of one resonance: its amplification, and how far from the operating range it must be.
 void add_resonance(const Resonance& peak, const SpeedRange& operating, const std::string& place,
                    std::optional<double> position_m, std::vector<Term>& terms) {
-  const bool damped = peak.amplification ? *peak.amplification < critically_damped
-                                         : peak.amplification_below < critically_damped;
+  const bool damped = peak.amplification.value_or(peak.amplification_below) < critically_damped;
   if (peak.amplification)
     terms.push_back({"amplification", place, position_m, peak.speed_hz, peak.amplification, {}, "1"});
   Term term{"separation", place, position_m, peak.speed_hz, separation(operating, peak.speed_hz), 0.0, "1"};
@@ -72,97 +71,74 @@ void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rot
     }
   }
   if (to_hz < highest_hz) {
-    Term term{"separation", "", {}, highest_hz};
-    term.not_told = fmt::format("tables of supports end at {}, 125 % of the maximum continuous speed is {}",
-                                model::speed_text(to_hz, 5), model::speed_text(highest_hz, 5));
-    terms.push_back(std::move(term));
+    terms.push_back(
+        untold("separation", highest_hz,
+               fmt::format("tables of supports end at {}, 125 % of the maximum continuous speed is {}",
+                           model::speed_text(to_hz, 5), model::speed_text(highest_hz, 5))));
   }
   const model::RotorKit* kit = model::kit_of(prepared.machine);
   if (kit != nullptr && model::has_tables(*kit) &&
       asked.whole.from_hz > (1 - largest_separation_below) * asked.operating.from_hz) {
-    Term term{"separation", "", {}, asked.whole.from_hz};
-    term.not_told =
-        fmt::format("tables of supports begin at {}, the lowest operating speed is {}",
-                    model::speed_text(asked.whole.from_hz, 5), model::speed_text(asked.operating.from_hz, 5));
-    terms.push_back(std::move(term));
+    terms.push_back(untold("separation", asked.whole.from_hz,
+                           fmt::format("tables of supports begin at {}, the lowest operating speed is {}",
+                                       model::speed_text(asked.whole.from_hz, 5),
+                                       model::speed_text(asked.operating.from_hz, 5))));
   }
   for (const Bearing& bearing : rotor.bearings()) {
     const auto force_n = [&](double hz) {
       return asked.scale * rotor.bearing_force_n(bearing, responses.at(hz).col(0), hz);
     };
     const Largest largest = largest_over_speed(operating_hz, force_n);
-    terms.push_back({"bearing_force",
-                     fmt::format("support {}", bearing.support),
-                     bearing.position_m,
-                     largest.speed_hz,
-                     largest.value,
-                     {},
-                     "N"});
+    const std::string place = fmt::format("support {}", bearing.support);
+    terms.push_back(
+        {"bearing_force", place, bearing.position_m, largest.speed_hz, largest.value, std::nullopt, "N"});
     terms.back().name = model::support_name(*model::kit_of(prepared.machine), bearing.support);
   }
 }
 
+/// Term of a pure number that must reach a limit.
+Term at_least(double limit, std::string check, double speed_hz, double value) {
+  const double margin = value / limit - 1;
+  return {std::move(check), "", std::nullopt, speed_hz, value, limit, "1", margin, margin >= 0};
+}
+
 Term decrement_term(std::string check, const std::optional<Decrement>& found) {
-  Term term{std::move(check), ""};
-  if (!found) {
-    term.not_told =
-        "no forward whirl of less than half of critical damping up to twice the maximum continuous speed";
-    return term;
-  }
-  term.speed_hz = found->speed_hz;
-  term.value = found->decrement;
-  term.limit = least_decrement;
-  term.unit = "1";
-  term.margin = found->decrement / least_decrement - 1;
-  term.met = *term.margin >= 0;
-  return term;
+  if (found) return at_least(least_decrement, std::move(check), found->speed_hz, found->decrement);
+  return untold(
+      std::move(check), {},
+      "no forward whirl of less than half of critical damping up to twice the maximum continuous speed");
 }
 
 /// The machine without its seals; unchanged where no bearing would remain.
-model::Machine bare_machine(const model::Machine& machine) {
-  model::Machine bare = machine;
-  if (model::RotorKit* kit = model::kit_of(bare)) *kit = without_seals(*kit);
-  const model::RotorKit* kit = model::kit_of(bare);
-  return kit != nullptr && kit->supports.empty() ? machine : bare;
+model::Machine bare_machine(model::Machine machine) {
+  if (model::RotorKit* kit = model::kit_of(machine))
+    if (model::RotorKit bare = without_seals(*kit); !bare.supports.empty()) *kit = std::move(bare);
+  return machine;
 }
 
 /// Removes the verdict of a failed Level I, because Level II then decides.
 Term no_verdict_if_failed(Term term) {
-  if (term.met == false) {
-    term.met.reset();
-    term.margin.reset();
-  }
+  if (term.met == false) term.met.reset(), term.margin.reset();
   return term;
 }
 
 /// Threshold of cross-coupling by that of all stages.
 Term threshold_term(const linear::FreeRotor& rotor, double speed_hz, double up_to_hz, Index place,
                     double coupling_n_per_m) {
-  Term term{"level_1_threshold", "", {}, speed_hz};
+  const std::string check = "level_1_threshold";
   const auto threshold = threshold_n_per_m(rotor, speed_hz, up_to_hz, place);
-  if (!threshold) {
-    term.not_told = "no forward whirl that cross-coupling makes grow";
-    return term;
-  }
-  term.value = *threshold / coupling_n_per_m;
-  term.limit = least_threshold_ratio;
-  term.unit = "1";
-  term.margin = *term.value / least_threshold_ratio - 1;
-  term.met = *term.margin >= 0;
-  return no_verdict_if_failed(std::move(term));
+  if (!threshold) return untold(check, speed_hz, "no forward whirl that cross-coupling makes grow");
+  return no_verdict_if_failed(
+      at_least(least_threshold_ratio, check, speed_hz, *threshold / coupling_n_per_m));
 }
 
 /// Region A or B of Level I, without a verdict: Level II is computed in either.
 Term region_term(const model::Machine& machine, double speed_hz, double gas_density_kg_per_m3) {
-  Term term{"level_1_region", "", {}, speed_hz};
   const std::optional<double> rigid_hz = rigid_critical_hz(machine);
-  if (!rigid_hz) {
-    term.not_told = "the rotor has no critical speed on rigid bearings";
-    return term;
-  }
-  term.value = speed_hz / *rigid_hz;
-  term.limit = region_limit(gas_density_kg_per_m3);
-  term.unit = "1";
+  if (!rigid_hz)
+    return untold("level_1_region", speed_hz, "the rotor has no critical speed on rigid bearings");
+  const double limit = region_limit(gas_density_kg_per_m3);
+  Term term{"level_1_region", "", {}, speed_hz, speed_hz / *rigid_hz, limit, "1"};
   term.name = *term.value > *term.limit ? "region B" : "region A";
   return term;
 }
@@ -180,9 +156,10 @@ void add_stability(const WholeRotor& rotor, const model::Machine& machine, const
   for (const Stage& stage : asked.stages.value_or(std::vector<Stage>{}))
     coupling += cross_coupling_n_per_m(stage, speed_hz);
   if (!asked.stages) {
-    Term term{"cross_coupling", "", position_m, speed_hz};
-    term.not_told = "no --stage says which power drives cross-coupling, or --stage none that none does";
-    terms.push_back(std::move(term));
+    terms.push_back(
+        untold("cross_coupling", speed_hz,
+               "no --stage says which power drives cross-coupling, or --stage none that none does"));
+    terms.back().position_m = position_m;
   } else if (coupling > 0) {
     const linear::FreeRotor level_one = linear::free_rotor(bare_machine(machine));
     terms.push_back({"cross_coupling", "", position_m, speed_hz, coupling, {}, "N/m"});
@@ -203,6 +180,12 @@ void add_stability(const WholeRotor& rotor, const model::Machine& machine, const
 
 }  // namespace
 
+Term untold(std::string check, std::optional<double> speed_hz, std::string why) {
+  Term term{std::move(check), "", {}, speed_hz};
+  term.not_told = std::move(why);
+  return term;
+}
+
 void refuse_verdict(Term& term, const char* why) {
   if (term.met != true) return;
   term.met.reset();
@@ -211,8 +194,7 @@ void refuse_verdict(Term& term, const char* why) {
 
 double within_tables_hz(const model::Machine& machine, double up_to_hz) {
   const model::RotorKit* kit = model::kit_of(machine);
-  return kit != nullptr && model::has_tables(*kit) ? std::min(up_to_hz, model::table_speeds_hz(*kit).high)
-                                                   : up_to_hz;
+  return kit != nullptr ? std::min(up_to_hz, model::table_speeds_hz(*kit).high) : up_to_hz;
 }
 
 std::vector<Term> lateral_terms(const scene::PreparedMachine& prepared, const LateralQuestions& questions) {

@@ -52,6 +52,9 @@ inline constexpr double least_decrement = 0.1, least_threshold_ratio = 2;
 /// Level I and II.
 std::vector<Term> lateral_terms(const scene::PreparedMachine& prepared, const LateralQuestions& questions);
 
+/// Term of the whole rotor of which nothing is known, and why.
+Term untold(std::string check, std::optional<double> speed_hz, std::string why);
+
 /// Drops the verdict of a limit that is kept only by a response that does not last.
 void refuse_verdict(Term& term, const char* why);
 

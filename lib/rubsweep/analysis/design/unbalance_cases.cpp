@@ -60,6 +60,9 @@ double mass_between_kg(const model::RotorKit& kit, double low_m, double high_m) 
   return mass_kg;
 }
 
+/// Motion of a place, as a share of the whole rotor's, below which it is the rounding of a node of a mode.
+constexpr double rounding = 1e-9;
+
 double residual_kg_m(double mass_kg, double max_continuous_hz) {
   constexpr double g_mm_per_kg_m = 1e6;
   return unbalance_g_mm_rpm_per_kg / g_mm_per_kg_m * mass_kg / (model::rpm_per_hz * max_continuous_hz);
@@ -90,10 +93,9 @@ WholeRotor::WholeRotor(const model::Machine& machine)
 void WholeRotor::add_shaft(const model::RotorKit& kit) {
   const std::vector<double> stations_m = stop_stations_m(machine_);
   const structure::BeamShaft shaft = structure::assemble_beam_shaft(kit, stations_m);
-  configured_kg_ = in_plane(shaft.unbalance_kg.real(), 0).cast<Complex>() +
-                   Complex(0, 1) * in_plane(shaft.unbalance_kg.imag(), 0).cast<Complex>();
-  for (Index i = 0; i + 1 < configured_kg_.size(); i += 2)
-    configured_kg_(i + 1) = -Complex(0, 1) * configured_kg_(i);
+  configured_kg_.resize(2 * shaft.unbalance_kg.size());
+  configured_kg_(Eigen::seqN(0, shaft.unbalance_kg.size(), 2)) = shaft.unbalance_kg;
+  configured_kg_(Eigen::seqN(1, shaft.unbalance_kg.size(), 2)) = -Complex(0, 1) * shaft.unbalance_kg;
   const auto places = static_cast<Index>(shaft.node_position_m.size());
   mass_kg_ = shaft.weight_kg(Eigen::seqN(0, places, 2));
   const structure::PlaneModes modes =
@@ -205,7 +207,9 @@ const Eigen::MatrixXcd& Responses::at(double speed_hz) {
 double Responses::major_axis(double speed_hz, Index place, Index column) {
   const linear::FreeRotor& free = rotor_.rotor();
   const auto q = at(speed_hz).col(column);
-  return design::major_axis({(free.x.row(place) * q).value(), (free.y.row(place) * q).value()});
+  const double axis_m =
+      design::major_axis({(free.x.row(place) * q).value(), (free.y.row(place) * q).value()});
+  return axis_m < rounding * q.norm() ? 0 : axis_m;
 }
 
 }  // namespace rubsweep::design

@@ -144,9 +144,7 @@ FreeResponse free_response(const scene::PreparedMachine& machine, double duratio
   FreeResponse response{.run = {.kick = true,
                                 .sample_s = sampling.sample_s,
                                 .samples = samples_in(duration_s, sampling.sample_s)},
-                        .signal_m = {},
-                        .angle_deg = sensors.angle_deg,
-                        .decay = {}};
+                        .angle_deg = sensors.angle_deg};
   response.signal_m = run_linear(machine, response.run, sensors.rows);
   const std::vector<bool> sees = sees_something(response.signal_m, sampling.noise_m);
   add_noise(response.signal_m, sampling.noise_m);
@@ -176,13 +174,7 @@ RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz
                        .eccentricity_m = eccentricity_m,
                        .sample_s = sampling.sample_s,
                        .samples = samples_in((to_hz - from_hz) / rate_hz_per_s, sampling.sample_s)},
-               .signal_m = {},
-               .angle_deg = sensors.angle_deg,
-               .bode = {},
-               .sees = {},
-               .speed_of_largest_1x_hz = {},
-               .resonance = {},
-               .largest_amplitude_m = {}};
+               .angle_deg = sensors.angle_deg};
   run_up.signal_m = run_linear(machine, run_up.run, sensors.rows);
   const Eigen::MatrixXcd phasor_m = phasors(machine, run_up.run, sensors.rows);
   // Noise is ignored here, because the Bode plot finds modes that noise hides in a free response.

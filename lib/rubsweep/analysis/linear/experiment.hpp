@@ -30,10 +30,10 @@ struct FreeDecay {
 /// sensor's signal after the first quarter, by which time faster modes have decayed.
 struct FreeResponse {
   LinearRun run;
-  Eigen::MatrixXd signal_m;       ///< samples x sensors
+  Eigen::MatrixXd signal_m = {};  ///< samples x sensors
   std::vector<double> angle_deg;  ///< direction of each sensor
-  std::vector<std::optional<FreeDecay>>
-      decay;  ///< decay at each sensor; empty where the sensor does not measure the kick
+  std::vector<std::optional<FreeDecay>> decay =
+      {};  ///< decay at each sensor; empty where the sensor does not measure the kick
 };
 
 /// Simulates the free response. The machine must have a kick.
@@ -43,18 +43,18 @@ FreeResponse free_response(const scene::PreparedMachine& machine, double duratio
 /// Speed ramp with an unbalance, without stops: amplitude and phase of 1X over the speed, and their maximum.
 struct RunUp {
   LinearRun run;
-  Eigen::MatrixXd signal_m;                  ///< samples x sensors
-  std::vector<double> angle_deg;             ///< direction of each sensor
-  std::vector<std::vector<BodePoint>> bode;  ///< plot of each sensor
-  std::vector<bool> sees;                    ///< flag of each sensor: it measures more than rounding
+  Eigen::MatrixXd signal_m = {};                  ///< samples x sensors
+  std::vector<double> angle_deg;                  ///< direction of each sensor
+  std::vector<std::vector<BodePoint>> bode = {};  ///< plot of each sensor
+  std::vector<bool> sees = {};                    ///< flag of each sensor: it measures more than rounding
   /// Speed of the largest 1X during the ramp, for each sensor. Unless the ramp is slow, this speed differs
   /// from the critical speed, because the vibration lags. Empty where the sensor measures nothing, or 1X is
   /// largest at an end.
-  std::vector<std::optional<double>> speed_of_largest_1x_hz;
+  std::vector<std::optional<double>> speed_of_largest_1x_hz = {};
   /// Mode at the largest 1X, for each sensor, without the effect of the ramp. Empty where there is no such
   /// speed or no fit.
-  std::vector<std::optional<RampResonance>> resonance;
-  std::vector<double> largest_amplitude_m;  ///< largest amplitude of 1X at each sensor
+  std::vector<std::optional<RampResonance>> resonance = {};
+  std::vector<double> largest_amplitude_m = {};  ///< largest amplitude of 1X at each sensor
 };
 
 /// Undamped frequency of the slowest free vibration. Use at least two samples in its period.

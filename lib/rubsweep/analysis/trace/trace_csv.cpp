@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <numbers>
 
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/response/motion/classify.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 
@@ -106,11 +107,13 @@ std::string probe_summary(const ProbePeriod& period, const ProbePair& pair, cons
                                ? *period.period == 1 ? std::string("repeats every turn")
                                                      : fmt::format("repeats after {} turns", *period.period)
                                : std::string("repeats after none of the numbers of turns looked for");
+  const auto label = [&](std::size_t i) {
+    return model::sensor_label(i, model::name_at(probes.name, i), probes.angle_deg[i]);
+  };
   return fmt::format(
-      "probes    {} by {} readings of sensors {} ({:g} deg) and {} ({:g} deg) every {:g} s, noise {}: "
+      "probes    {} by {} readings of sensors {} and {} every {:g} s, noise {}: "
       "{:.2g} % of the energy off the lines, {:.2g} % allowed\n",
-      what, period.readings, pair.first, probes.angle_deg[pair.first], pair.second,
-      probes.angle_deg[pair.second], probes.sample_s,
+      what, period.readings, label(pair.first), label(pair.second), probes.sample_s,
       model::length_text(probes.noise_m, shown, LengthUnit::m, 6), 100 * period.unexplained_share,
       100 * period.allowed_share);
 }

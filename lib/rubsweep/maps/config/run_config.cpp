@@ -14,6 +14,7 @@
 #include "rubsweep/core/contact/restitution.hpp"
 #include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/structure/matrix_shaft.hpp"
 #include "rubsweep/maps/config/file.hpp"
@@ -103,9 +104,9 @@ std::optional<Question> sag_onto_stop(const sweep::Study& study) {
     if (!touches(stop, down) || (start && touches(stop, given_m(*start)))) continue;
     return Question{
         "gravity_m_per_s2",
-        fmt::format("the rotor sags by {:.3g} m and rests on stop {}, whose clearance counts from the "
+        fmt::format("the rotor sags by {:.3g} m and rests on stop {}{}, whose clearance counts from the "
                     "position without weight (leave gravity out, and count from the sag?)",
-                    sag_m, i)};
+                    sag_m, i, model::in_brackets(model::name_at(study.stop_names, i)))};
   }
   return std::nullopt;
 }

@@ -3,6 +3,8 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "rubsweep/core/integrate/run/options.hpp"
 #include "rubsweep/core/model/machine.hpp"
@@ -37,6 +39,8 @@ struct Neighbours {
 /// Everything that decides the numbers of a map. It has no paths, threads or times.
 struct Study {
   model::Machine machine;
+  std::vector<std::string>
+      stop_names{};  ///< names of the stops for messages, tables and figures; see name_at
   Grid grid;
   integrate::run::SolverOptions solver;
   response::motion::ResponseOptions response;

@@ -79,6 +79,15 @@ TEST(Stop, LawsArePrintedAsTheyAreRead) {
             std::string::npos);
 }
 
+TEST(Stop, ANameIsPrintedAsItIsRead) {
+  const auto read = [](const std::string& text) { return read_run_config_text(text, "test.yaml", {}); };
+  EXPECT_EQ(read(test_file("minimal.yaml")).study.stop_names, std::vector<std::string>{""});
+  const RunConfig config = read(replaced(test_file("minimal.yaml"), "    restitution: 0.7\n",
+                                         "    restitution: 0.7\n    name: \"seal: 2\"\n"));
+  EXPECT_EQ(config.study.stop_names, std::vector<std::string>{"seal: 2"});
+  EXPECT_EQ(read(print_config(config)).study.stop_names, config.study.stop_names);
+}
+
 TEST(Stop, HertzLineIsTheLawOfTheContactThatGivesTheSecant) {
   const std::string hertz =
       "    hertz:\n      length_m: 0.01\n      rotor: {radius_m: 0.02, youngs_modulus_pa: 2e11, "

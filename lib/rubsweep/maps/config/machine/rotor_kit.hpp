@@ -20,6 +20,7 @@ model::RotorKit read_rotor_kit(yaml::Section& section);  ///< Reads the keys of 
 /// Reads the keys of a kit that files of other tools do not have. Call it when the shaft is known.
 void read_kit_rest(yaml::Section& section, model::RotorKit& kit);
 std::vector<keys::Key> kit_rest_keys();
+keys::Key name_key(std::string meaning = "name in messages, tables and figures");
 
 /// Whether this number of a support is a coefficient, which a table may replace.
 inline bool is_coefficient(std::string_view name) {

@@ -15,10 +15,6 @@ Form parts_of(std::vector<Key> keys, std::vector<Choice> choices = {}) {
   return list_of(map_of(std::move(keys), std::move(choices)), 1, model::RotorKit::most_parts);
 }
 
-Key name_key(std::string meaning = "name in messages, tables and figures") {
-  return newer_key(may("name", text(), std::move(meaning), "(none)"));
-}
-
 /// Form of a list of parts that may have names.
 template <class Part>
 Form named_parts() {
@@ -90,6 +86,8 @@ Form bow() {
 }
 
 }  // namespace
+
+Key name_key(std::string meaning) { return newer_key(may("name", text(), std::move(meaning), "(none)")); }
 
 std::vector<Key> kit_rest_keys() {
   return joined(

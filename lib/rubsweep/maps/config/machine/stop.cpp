@@ -7,9 +7,11 @@
 
 #include "rubsweep/core/contact/curved_law.hpp"
 #include "rubsweep/core/contact/hertz_line.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/model/range.hpp"
 #include "rubsweep/core/model/stop.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
+#include "rubsweep/maps/config/machine/rotor_kit.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 
@@ -179,7 +181,8 @@ void print_contact(yaml::Printer& printer, const model::Stop& stop) {
   });
 }
 
-model::Stop read_stop(const yaml::Value& value, const std::optional<model::Range>& places) {
+model::Stop read_stop(const yaml::Value& value, const std::optional<model::Range>& places,
+                      std::string& name) {
   yaml::Section section(value);
   model::Stop stop;
   stop.geometry = read_geometry(section);
@@ -196,11 +199,12 @@ model::Stop read_stop(const yaml::Value& value, const std::optional<model::Range
   }
   if (const auto friction = section.find("friction")) stop.friction = read_friction(*friction);
   if (const auto casing = section.find("casing")) stop.casing = read_casing(*casing);
+  if (const auto given = section.find("name")) name = read_text(*given).value_or("");
   section.refuse_unknown_keys();
   return stop;
 }
 
-void print_stop(yaml::Printer& printer, const model::Stop& stop) {
+void print_stop(yaml::Printer& printer, const model::Stop& stop, const std::string& name) {
   printer.open_item();
   printer.word("kind", model::name_of(stop.geometry));
   std::visit([&](const auto& kind) { print_fields(printer, kind); }, stop.geometry);
@@ -211,14 +215,17 @@ void print_stop(yaml::Printer& printer, const model::Stop& stop) {
   model::Stop::visit_mass(stop, model::fields_into(printer));
   print_friction(printer, stop.friction);
   stop.casing ? print_map(printer, "casing", *stop.casing) : printer.word("casing", rigid);
+  if (!name.empty()) printer.text("name", name);
   printer.close();
 }
 
 }  // namespace
 
-std::vector<model::Stop> read_stops(const yaml::Value& value, const std::optional<model::Range>& places) {
+std::vector<model::Stop> read_stops(const yaml::Value& value, const std::optional<model::Range>& places,
+                                    std::vector<std::string>& names) {
   std::vector<model::Stop> stops;
-  for (const yaml::Value& item : read_list(value, max_stops)) stops.push_back(read_stop(item, places));
+  for (const yaml::Value& item : read_list(value, max_stops))
+    stops.push_back(read_stop(item, places, names.emplace_back()));
   return stops;
 }
 
@@ -252,7 +259,8 @@ keys::Form stops_form() {
                      }),
                      {may("friction", friction_form(), "friction of the surfaces", "none"),
                       may("casing", any_of({one_of({&rigid, 1}), map_of(keys_of<model::Casing>())}),
-                          "casing behind the stop", "rigid")}}),
+                          "casing behind the stop", "rigid"),
+                      name_key()}}),
              {Choice{{{{std::string(stiffness_key)}, {law}},
                       {{std::string(hertz_key)}, {law}},
                       {{law}, {std::string(hertz_key)}}},
@@ -262,9 +270,10 @@ keys::Form stops_form() {
       1, max_stops);
 }
 
-void print_stops(yaml::Printer& printer, const std::vector<model::Stop>& stops) {
+void print_stops(yaml::Printer& printer, const std::vector<model::Stop>& stops,
+                 const std::vector<std::string>& names) {
   printer.open("stops");
-  for (const model::Stop& stop : stops) print_stop(printer, stop);
+  for (std::size_t i = 0; i < stops.size(); ++i) print_stop(printer, stops[i], model::name_at(names, i));
   printer.close();
 }
 

@@ -168,7 +168,7 @@ sweep::Study read_study(yaml::Section& root) {
   const model::RotorKit* kit = model::kit_of(study.machine);
   const auto shaft = kit != nullptr ? std::optional(machine::places(*kit)) : std::nullopt;
   if (const auto value = root.require("stops", "a list of maps")) {
-    study.machine.stops = machine::read_stops(*value, shaft);
+    study.machine.stops = machine::read_stops(*value, shaft, study.stop_names);
     refuse_dry_friction_beside_torsion(*value, study.machine);
   }
   const auto refuse_between_nodes = [&](std::string_view name) {
@@ -242,7 +242,7 @@ keys::Choice kick_or_start() {
 void print_study(yaml::Printer& printer, const sweep::Study& study, AxisPrint how,
                  machine::MatrixPrint matrices) {
   machine::print_rotor(printer, study.machine, matrices);
-  machine::print_stops(printer, study.machine.stops);
+  machine::print_stops(printer, study.machine.stops, study.stop_names);
   model::for_each_kick(study.machine, [&](auto& kick, auto name) { print_kick(printer, name, kick); });
   if (study.machine.start) print_start(printer, *study.machine.start);
   printer.number("gravity_m_per_s2", study.machine.gravity_m_per_s2);
