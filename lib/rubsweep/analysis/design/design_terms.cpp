@@ -46,7 +46,10 @@ std::vector<Term> terms_of(const DesignCheck& check) {
   }
   for (const WhipMargin& one : check.whips) {
     Term& term = terms.emplace_back(Term{"dry_whip", stop_name(one.stop), {}, {}, one.friction});
-    if (one.needs) term.speed_hz = one.needs->speed_hz, term.limit = one.needs->least_friction;
+    if (one.needs) {
+      term.speed_hz = one.needs->speed_hz;
+      term.limit = one.needs->least_friction;
+    }
     term.unit = "1";
     term.margin = one.margin();
     term.met = one.margin() > 0;

@@ -118,7 +118,10 @@ model::Machine bare_machine(model::Machine machine) {
 
 /// Removes the verdict of a failed Level I, because Level II then decides.
 Term no_verdict_if_failed(Term term) {
-  if (term.met == false) term.met.reset(), term.margin.reset();
+  if (term.met == false) {
+    term.met.reset();
+    term.margin.reset();
+  }
   return term;
 }
 
