@@ -4,7 +4,8 @@
 
 #include <string_view>
 
-#include "rubsweep/analysis/linear/experiment.hpp"
+#include "shared/figure.hpp"
+#include "shared/place_arguments.hpp"
 #include "shared/shown_lengths.hpp"
 
 namespace rubsweep::apps {

@@ -1,6 +1,7 @@
 """The tables of a rotor report (rubtrace --rotor-report) as the pictures of it need them."""
 
 import os
+import re
 
 from rubplot import csv_table
 from rubplot.failure import Failure
@@ -28,7 +29,8 @@ def operating_hz(directory):
 
 def note_text(directory, picture):
     """All remarks on a picture in one line, with the micrometres of a picture in place of a terminal's."""
-    return "; ".join(row["note"] for row in notes(directory).get(picture, [])).replace(" um", " µm")
+    text = "; ".join(row["note"] for row in notes(directory).get(picture, []))
+    return re.sub(r"(?<=\d) um\b", " µm", text)
 
 
 def require(directory, name, picture):

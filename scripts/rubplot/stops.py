@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from rubplot import configuration
 
 SAME_PLACE = 1e-9
+MOST_LETTERS = 32  # of a name in the line below a picture
 
 
 @dataclass
@@ -39,7 +40,7 @@ def read_stops(config):
         place = configuration.number(config[path + "position_m"]) if path + "position_m" in config else observed
         here = place is None or abs(place - observed) < SAME_PLACE
         if not here:
-            name = f" ({configuration.text(config[path + 'name'])})" if path + "name" in config else ""
+            name = f" ({configuration.text(config[path + 'name'])[:MOST_LETTERS]})" if path + "name" in config else ""
             others.append(f"stop {i}{name} at {1e3 * place:.4g} mm")
         _add_stop(stops, config, i, here)
     if others:

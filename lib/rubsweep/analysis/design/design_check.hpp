@@ -92,7 +92,7 @@ struct ResponseCurve {
 
 /// Results of a design check. Lengths of major axes are diameters.
 struct DesignCheck {
-  std::vector<std::string> stop_names;  ///< as of the study
+  std::vector<std::string> stop_names;  ///< names of the stops in the study
   SpeedRange operating;
   SpeedRange whole;  ///< range from near standstill, or from the begin of the tables, to its upper end
   double eccentricity_m = 0;     ///< eccentricity before scaling

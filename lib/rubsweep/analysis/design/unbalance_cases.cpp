@@ -60,7 +60,7 @@ double mass_between_kg(const model::RotorKit& kit, double low_m, double high_m) 
   return mass_kg;
 }
 
-/// Motion of a place, as a share of the whole rotor's, below which it is the rounding of a node of a mode.
+/// Motion of a place, as a share of the largest of the rotor, below which it is the rounding of a node.
 constexpr double rounding = 1e-9;
 
 double residual_kg_m(double mass_kg, double max_continuous_hz) {
@@ -209,7 +209,8 @@ double Responses::major_axis(double speed_hz, Index place, Index column) {
   const auto q = at(speed_hz).col(column);
   const double axis_m =
       design::major_axis({(free.x.row(place) * q).value(), (free.y.row(place) * q).value()});
-  return axis_m < rounding * q.norm() ? 0 : axis_m;
+  const double largest_m = std::max((free.x * q).cwiseAbs().maxCoeff(), (free.y * q).cwiseAbs().maxCoeff());
+  return axis_m < rounding * largest_m ? 0 : axis_m;
 }
 
 }  // namespace rubsweep::design

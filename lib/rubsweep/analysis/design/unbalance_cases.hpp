@@ -81,7 +81,7 @@ class Responses {
 
   const WholeRotor& rotor() const { return rotor_; }
   const Eigen::MatrixXcd& at(double speed_hz);
-  /// Full major axis at a place of the rotor.
+  /// Full major axis at a place of the rotor; 0 at a node, where the motion is rounding alone.
   double major_axis(double speed_hz, Eigen::Index place, Eigen::Index column = 0);
 
  private:

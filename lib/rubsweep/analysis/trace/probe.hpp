@@ -22,7 +22,7 @@ struct Probes {
   /// Number of derivatives that each probe takes: 0 reads m, 1 m/s, 2 m/s2; empty: displacements.
   std::vector<int> derivative{};
   std::vector<double> noise{};      ///< standard deviation of each probe in its own unit; empty: noise_m
-  std::vector<std::string> name{};  ///< of each probe; empty: none has a name
+  std::vector<std::string> name{};  ///< name of each probe; empty: none has one
 };
 
 /// Largest number of samples per turn between which readings are interpolated.

@@ -76,9 +76,7 @@ double restitution_of_factor(double factor) {
 }
 
 CurvedLaw::CurvedLaw(const model::Stop& stop)
-    : law_(stop.law),
-      factor_(damping_factor(law_.damping, law_.restitution)),
-      table_({0}, {0}) {
+    : law_(stop.law), factor_(damping_factor(law_.damping, law_.restitution)), table_({0}, {0}) {
   if (law_.kind == model::ForceCurve::hertz_line) {
     const double ratio = stop.hertz->length_m / (2 * hertz_half_width_m(*stop.hertz, 1));
     b_ = 2 * std::numbers::ln2 + 0.5 + std::log(ratio);
@@ -135,8 +133,8 @@ double CurvedLaw::energy_j(double penetration_m) const {
   const double more = beyond * (end_n_ + end_slope_ * beyond / 2);
   if (law_.kind == model::ForceCurve::table) {
     double energy_j = more, from = 0;
-    for (const double knot : knots_m_) {
-      const double to = std::min(knot, p);
+    for (std::size_t k = 0; from < p; ++k) {
+      const double to = std::min(knots_m_[k], p);
       energy_j += integral_of_cubic(table_, from, to);
       from = to;
     }

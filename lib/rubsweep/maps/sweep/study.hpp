@@ -36,7 +36,7 @@ struct Neighbours {
   }
 };
 
-/// Everything that decides the numbers of a map. It has no paths, threads or times.
+/// Everything that decides the numbers of a map, and names. It has no paths, threads or times.
 struct Study {
   model::Machine machine;
   std::vector<std::string>

@@ -5,6 +5,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -60,6 +61,8 @@ struct CrossingSearch {
   static constexpr double near_zero = 0.1;
   /// Largest rise between three points of a step that the points may miss, relative to their differences.
   static constexpr double most_unseen = 2;
+  /// Most knots at which steps end; error estimates see the small bends of denser curves.
+  static constexpr std::size_t most_knots = 64;
   static constexpr double shortest_share = 1e-12;  ///< shortest time to an event, as a share of the step
 
   /// Friction needed to hold a contact, and its limit.
@@ -69,7 +72,7 @@ struct CrossingSearch {
     double over(double sign) const { return sign * holds_n - largest_n; }
   };
 
-  /// Kinematics of contact `i` inside the step. The acceleration, on which no guard depends, is any.
+  /// Kinematics of contact `i` inside the step. No guard depends on the acceleration, here arbitrary.
   contact::Kinematics inside(std::size_t i, double phase) {
     method.state_at(right_hand_side, step, phase, probe);
     return dynamics.kinematics(i, probe, step.end_rate);
@@ -175,22 +178,28 @@ struct CrossingSearch {
     return earliest;
   }
 
-  /// Makes the first passage of contact `i` over a knot of its force the `earliest` event. A penetration at a
-  /// knot has passed it if it moves away.
+  /// Makes the first passage of contact `i` over a knot of its force the `earliest` event. It can only be a
+  /// knot beside the start. A penetration at a knot has passed it if it moves away.
   void locate_knots(std::size_t i, std::optional<Crossing>& earliest) {
-    const contact::Kinematics &start = start_kinematics[i], &end = end_kinematics[i];
     const auto& c = dynamics.system().contacts[i];
-    for (const double knot_m : c.law->knots_m()) {
-      const double above = start.penetration - knot_m / c.length_m;
-      const double way = above < 0 || (above == 0 && start.closing_speed <= 0) ? 1 : -1;
+    const auto& knots_m = c.law->knots_m();
+    if (knots_m.size() > most_knots) return;
+    const contact::Kinematics &start = start_kinematics[i], &end = end_kinematics[i];
+    const auto scaled = [&](double knot_m) { return knot_m / c.length_m; };
+    const auto above = start.closing_speed > 0
+                           ? std::ranges::upper_bound(knots_m, start.penetration, {}, scaled)
+                           : std::ranges::lower_bound(knots_m, start.penetration, {}, scaled);
+    const auto look = [&](double knot, double way) {
       const auto guard = [&](const contact::Kinematics& k) {
-        return contact::Guard{way * (k.penetration - knot_m / c.length_m), way * k.closing_speed};
+        return contact::Guard{way * (k.penetration - knot), way * k.closing_speed};
       };
       const auto phase =
           locate(guard(start), guard(end), [&](double at) { return guard(inside(i, at)).value; });
       if (phase && (!earliest || *phase < earliest->phase))
         earliest = Crossing{*phase, i, {}, Crossing::Event::knot, {}};
-    }
+    };
+    if (above != knots_m.end()) look(scaled(*above), 1);
+    if (above != knots_m.begin()) look(scaled(*std::prev(above)), -1);
   }
 
   /// Phase at which a guard rises through zero. `value_at`: its value by the phase.

@@ -169,7 +169,7 @@ run::Outcome ExactRun<N>::end_turn(run::TurnReport& report) {
   return run::Outcome::ok;
 }
 
-// Both are rare, and would make the call after every step dear.
+// Calls of the next two functions are rare; inlined, they would slow every step.
 template <int N>
 [[gnu::noinline]] void ExactRun<N>::look_for_reversal(run::TurnReport& report, double duration_s) {
   report.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);

@@ -29,7 +29,7 @@ class SceneMap {
   /// Replaces `section`, 2n numbers, by the section one revolution later. False when the solver fails.
   bool operator()(std::span<double> section);
   /// The same, but where `section` ends the latest revolution the exact solver continues. Rounding errors
-  /// then differ from those of a fresh start.
+  /// then differ from those of a fresh start, and after a turn without closed forms so may the method.
   bool go_on(std::span<double> section);
 
   /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes its image under the

@@ -77,6 +77,11 @@ std::size_t MachineModes<N>::bytes() const {
   for (const auto& mode : modes_) count(mode);
   for (const auto& [joint, mode] : backward_modes_) count(mode);
   numbers += changes_.size() * states * (states + 1);
+  if (responses_) {
+    numbers += responses_->modes.size() * sizeof(responses_->modes[0]) / sizeof(double);
+    for (const auto& ways : responses_->transitions)
+      numbers += ways.size() * sizeof(ways[0]) / sizeof(double);
+  }
   return numbers * sizeof(double);
 }
 

@@ -14,8 +14,8 @@
 namespace rubsweep::integrate::exact::modes {
 
 /// The exact flows of the contact modes of a structure with its stops, with saturated friction. They do not
-/// depend on speed, unbalance or kick. Modes are made when first needed; only one thread may use them at a
-/// time.
+/// depend on speed, unbalance or kick; beside them are the responses to the latest unbalance. Modes are made
+/// when first needed; only one thread may use them at a time.
 template <int N>
 class MachineModes {
  public:
