@@ -205,10 +205,10 @@ class StepTangents final : public RightHandSide {
                                                                        const State& state) const {
     const auto& c = law_.system().contacts[i];
     const contact::ContactFrame f = law_.frame_at(i, state);
-    const Eigen::RowVectorXd across = f.cosine * c.first_row + f.sine * c.second_row;
+    const Eigen::Index n = c.first_row.size();
     Eigen::RowVectorXd penetration = Eigen::RowVectorXd::Zero(states()), speed(states());
-    penetration.head(across.size()) = across;
-    speed << f.sliding_speed * f.curvature * law::tangential_row(c, f), across;
+    penetration.head(n) = f.cosine * c.first_row + f.sine * c.second_row;
+    speed << f.sliding_speed * f.curvature * law::tangential_row(c, f), penetration.head(n);
     return {penetration, speed};
   }
 
