@@ -93,7 +93,7 @@ expect_exit 0 --verify guests
 expect_contains stdout 'guests: whole: '
 
 # An unfinished map, and a refined one.
-killed_at 10 killed "${quick[@]}"
+killed_at 10 killed "$top/configs/benchmark/one_side.yaml" --quiet
 expect_exit 7 --verify killed
 expect_contains stderr 'map.journal: the map is not finished'
 expect_exit 0 "${map[@]}" --set sweep.refine.levels=1 --output refined
