@@ -122,16 +122,10 @@ std::string correlation_csv(const MachineFit& problem, const MachineFitResult& r
   return text;
 }
 
-}  // namespace
-
-FitTables tables_of(const MachineFit& problem, const MachineFitResult& result,
-                    const model::Machine& machine) {
-  FitTables tables{parameters_csv(problem, result),
-                   correlation_csv(problem, result),
-                   "data,kind,sensor,part,at,measured_m,modelled_m\n",
-                   {}};
+/// Lines about a fit, its parameters and what its data do not tell apart.
+std::string parameters_text(const MachineFit& problem, const MachineFitResult& result) {
   const LeastSquaresFit& fit = result.fit;
-  tables.summary = fmt::format(
+  std::string text = fmt::format(
       "fit       {} numbers of data, {} parameters; {} after {} steps; {} of {} starts lead there\n",
       fit.residuals.size(), problem.parameters.size(),
       fit.stopped     ? "stopped"
@@ -140,51 +134,65 @@ FitTables tables_of(const MachineFit& problem, const MachineFitResult& result,
       fit.iterations, fit.agreeing, fit.starts);
   for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
-    tables.summary += fmt::format(
-        "          {} = {:.6g} +- {:.2g} (95 %: {:.6g} to {:.6g}){}\n", problem.parameters[i].name,
-        fit.value(k), result.uncertainty.standard_error(k), fit.value(k) - result.uncertainty.half_width(k),
-        fit.value(k) + result.uncertainty.half_width(k),
-        fit.at_bound[i] ? ", AT ITS BOUND: the interval does not hold" : "");
+    text += fmt::format("          {} = {:.6g} +- {:.2g} (95 %: {:.6g} to {:.6g}){}\n",
+                        problem.parameters[i].name, fit.value(k), result.uncertainty.standard_error(k),
+                        fit.value(k) - result.uncertainty.half_width(k),
+                        fit.value(k) + result.uncertainty.half_width(k),
+                        fit.at_bound[i] ? ", AT ITS BOUND: the interval does not hold" : "");
   }
   for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const double correlation =
           result.uncertainty.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
       if (std::abs(correlation) > 0.95)
-        tables.summary += fmt::format("          {} and {} go together, correlation {:.3f}\n",
-                                      problem.parameters[j].name, problem.parameters[i].name, correlation);
+        text += fmt::format("          {} and {} go together, correlation {:.3f}\n",
+                            problem.parameters[j].name, problem.parameters[i].name, correlation);
     }
   }
   for (const std::string& sentence : untold_combinations(result.uncertainty, problem.parameters))
-    tables.summary += fmt::format("warning   {}\n", sentence);
-  for (std::size_t d = 0; d < problem.data.size(); ++d) {
-    const ModelledData both = modelled(problem, d, fit.value);
-    const WhatIsLeft left = what_is_left(problem, d, fit.value);
-    tables.summary += fmt::format(
-        "left      {:.3g} um of {:.3g} um in {}\n", 1e6 * left.left_m,
-        1e6 * std::sqrt(both.measured_m.squaredNorm() / static_cast<double>(both.measured_m.size())),
-        problem.data[d].name);
-    std::string doubts;
-    bool doubted = false;
-    const std::vector<Series> all_series = series_of(problem.data[d]);
-    for (const Series& series : all_series) {
-      std::vector<double> residuals;
-      for (std::size_t k = 0; k < series.at.size(); ++k) {
-        const Eigen::Index row = series.begin + static_cast<Eigen::Index>(k);
-        residuals.push_back(both.measured_m(row) - both.modelled_m(row));
-        tables.residuals_csv += fmt::format(
-            "{},{},{},{},{},{},{}\n", d, series.kind, series.sensor, series.part, csv_number(series.at[k]),
-            csv_number(both.measured_m(row)), csv_number(both.modelled_m(row)));
-      }
-      const std::string doubt = doubt_of(series, residuals, left.size_m, all_series.size());
-      doubted = doubted || !doubt.empty() || series.kind == "rub" || residuals.size() < fewest_to_test;
-      if (!doubt.empty())
-        doubts += fmt::format(
-            "warning   something is missing in the {} of sensor {}{}: {}\n", series.part, series.sensor,
-            model::in_brackets(model::sensor_name(machine, static_cast<std::size_t>(series.sensor))), doubt);
+    text += fmt::format("warning   {}\n", sentence);
+  return text;
+}
+
+/// Adds the residuals of file `d` to the tables, and to the summary what is left and what may be missing.
+void add_residuals(const MachineFit& problem, std::size_t d, const Eigen::VectorXd& value,
+                   const model::Machine& machine, FitTables& tables) {
+  const ModelledData both = modelled(problem, d, value);
+  const WhatIsLeft left = what_is_left(problem, d, value);
+  tables.summary += fmt::format(
+      "left      {:.3g} um of {:.3g} um in {}\n", 1e6 * left.left_m,
+      1e6 * std::sqrt(both.measured_m.squaredNorm() / static_cast<double>(both.measured_m.size())),
+      problem.data[d].name);
+  std::string doubts;
+  bool doubted = false;
+  const std::vector<Series> all_series = series_of(problem.data[d]);
+  for (const Series& series : all_series) {
+    std::vector<double> residuals;
+    for (std::size_t k = 0; k < series.at.size(); ++k) {
+      const Eigen::Index row = series.begin + static_cast<Eigen::Index>(k);
+      residuals.push_back(both.measured_m(row) - both.modelled_m(row));
+      tables.residuals_csv += fmt::format("{},{},{},{},{},{},{}\n", d, series.kind, series.sensor,
+                                          series.part, csv_number(series.at[k]),
+                                          csv_number(both.measured_m(row)), csv_number(both.modelled_m(row)));
     }
-    tables.summary += too_much_left(problem.data[d], left, doubted) + doubts;
+    const std::string doubt = doubt_of(series, residuals, left.size_m, all_series.size());
+    doubted = doubted || !doubt.empty() || series.kind == "rub" || residuals.size() < fewest_to_test;
+    if (!doubt.empty())
+      doubts += fmt::format(
+          "warning   something is missing in the {} of sensor {}{}: {}\n", series.part, series.sensor,
+          model::in_brackets(model::sensor_name(machine, static_cast<std::size_t>(series.sensor))), doubt);
   }
+  tables.summary += too_much_left(problem.data[d], left, doubted) + doubts;
+}
+
+}  // namespace
+
+FitTables tables_of(const MachineFit& problem, const MachineFitResult& result,
+                    const model::Machine& machine) {
+  FitTables tables{parameters_csv(problem, result), correlation_csv(problem, result),
+                   "data,kind,sensor,part,at,measured_m,modelled_m\n", parameters_text(problem, result)};
+  for (std::size_t d = 0; d < problem.data.size(); ++d)
+    add_residuals(problem, d, result.fit.value, machine, tables);
   return tables;
 }
 

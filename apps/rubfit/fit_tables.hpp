@@ -16,8 +16,9 @@ struct FitTables {
   std::string summary;
 };
 
+/// `machine`: the machine that was fitted, whose sensors have names.
 FitTables tables_of(const fit::MachineFit& problem, const fit::MachineFitResult& result,
-                    const model::Machine& machine = {});
+                    const model::Machine& machine);
 
 /// A sentence that compares, by Schwarz' criterion, the fit with another fit of the same data that has fewer
 /// parameters. `without`: names of the parameters left out.
