@@ -39,6 +39,7 @@ scene::Scene flight(const model::Stop& stop, double speed) {
 
 struct Impact {
   double duration_s = 0, peak_n = 0, restitution = 0;
+  long steps = 0;
 };
 
 Impact impact(const scene::Scene& scene) {
@@ -58,6 +59,7 @@ Impact impact(const scene::Scene& scene) {
       if (change.to == contact::Mode::open) seen.duration_s = time_s - touched;
     }
     if (seen.duration_s == 0) continue;
+    seen.steps = turn.effort.steps;
     seen.restitution = -turn.section[2] * 1e-3 / scene.velocity_m_per_s(0);
     return seen;
   }
@@ -112,6 +114,26 @@ TEST(CurvedContact, EachDampingReturnsItsClosedFormOverThreeDecadesOfSpeed) {
       EXPECT_NEAR(impact(flight(line, 1)).restitution, returned, 1e-11);
     }
   }
+}
+
+/// Both curves are K p^2 at their points, of which the impact passes two thirds, in and out.
+TEST(CurvedContact, StepsEndAtThePointsOfACurveUnlessTheyAreMany) {
+  const auto seen = [](int points) {
+    model::Stop felt = stop_of(ForceCurve::table);
+    felt.law.penetration_m.clear();
+    felt.law.force_n.clear();
+    for (int i = 0; i <= points; ++i) {
+      const double p = 1e-4 * i / points;
+      felt.law.penetration_m.push_back(p);
+      felt.law.force_n.push_back(1e7 * p * p);
+    }
+    return impact(flight(felt, 1));
+  };
+  const Impact few = seen(60), many = seen(800);
+  EXPECT_GT(few.steps, 80);
+  EXPECT_LT(many.steps, 800);
+  EXPECT_NEAR(few.restitution, 1, 1e-11);
+  EXPECT_NEAR(many.restitution, 1, 1e-7);
 }
 
 TEST(CurvedContact, AFixedSpeedOfApproachDeliversAtThatSpeedAlone) {
