@@ -71,7 +71,7 @@ TEST(FirstValues, TheInstantOfTheHitIsFoundFromFarAway) {
     const MachineFitResult result = fit_machine(problem, {});
     EXPECT_NEAR(result.fit.value(0) / frequency_hz, 1, 2e-3) << trial;
     EXPECT_NEAR(result.fit.value(2), hit_s, 1e-3) << trial;
-    const std::string summary = apps::tables_of(problem, result).summary;
+    const std::string summary = apps::tables_of(problem, result, scene::one_side_machine()).summary;
     EXPECT_EQ(summary.find("warning"), std::string::npos) << summary;
   }
 }
@@ -83,7 +83,8 @@ TEST(FirstValues, ATenthThatIsLeftIsSaid) {
                                     {hit_name, 0.03, 0.025, 0.035, 1e-2}},
                      .data = {{"ring", struck(31, 0.02, 0.01, 3e-6), false}},
                      .machine = struck_rotor};
-  const std::string summary = apps::tables_of(problem, fit_machine(problem, {})).summary;
+  const std::string summary =
+      apps::tables_of(problem, fit_machine(problem, {}), scene::one_side_machine()).summary;
   EXPECT_NE(summary.find(" % of ring are left over"), std::string::npos) << summary;
 }
 

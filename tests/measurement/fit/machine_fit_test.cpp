@@ -70,7 +70,7 @@ TEST(MachineFit, RingDownTellsFrequencyAndDamping) {
   expect_told(result, 1, 0.015);
   expect_told(result, 2, 0.001);
   EXPECT_LT(result.uncertainty.standard_error(0), 0.02);
-  const apps::FitTables tables = apps::tables_of(problem, result);
+  const apps::FitTables tables = apps::tables_of(problem, result, scene::one_side_machine());
   EXPECT_EQ(tables.summary.find("something is missing"), std::string::npos) << tables.summary;
   EXPECT_TRUE(tables.parameters_csv.starts_with(
       "parameter,value,standard_error,low_95,high_95,start,at_bound\nfrequency,"));
@@ -83,7 +83,8 @@ TEST(MachineFit, WhatIsMissingIsNamed) {
   for (Eigen::Index k = 0; k < ring.signal_m.rows(); ++k)
     ring.signal_m(k, 1) += 8e-6 * std::sin(2 * 3.14159265358979 * 50 * ring.t_s[static_cast<std::size_t>(k)]);
   MachineFit problem{.parameters = rotor_parameters, .data = {data}, .hit_s = 0.001, .machine = rotor};
-  const std::string summary = apps::tables_of(problem, fit_machine(problem, {})).summary;
+  const std::string summary =
+      apps::tables_of(problem, fit_machine(problem, {}), scene::one_side_machine()).summary;
   EXPECT_NE(summary.find("of sensor 1: a vibration of 50"), std::string::npos) << summary;
 }
 
@@ -101,11 +102,11 @@ TEST(MachineFit, ARunUpOfTheRightMachineRaisesNoWarning) {
                      .eccentricity_m = 2e-5,
                      .mark_deg = 0.5 * 180 / 3.14159265358979,
                      .machine = rotor};
-  std::string summary = apps::tables_of(problem, fit_machine(problem, {})).summary;
+  std::string summary = apps::tables_of(problem, fit_machine(problem, {}), scene::one_side_machine()).summary;
   EXPECT_EQ(summary.find("warning"), std::string::npos) << summary;
   // With a wrong unbalance the residuals are not noise.
   problem.eccentricity_m = 1.8e-5;
-  summary = apps::tables_of(problem, fit_machine(problem, {})).summary;
+  summary = apps::tables_of(problem, fit_machine(problem, {}), scene::one_side_machine()).summary;
   EXPECT_NE(summary.find("something is missing"), std::string::npos) << summary;
 }
 
