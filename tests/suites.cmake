@@ -1,0 +1,22 @@
+# Suites of the test program `file`, read by CTest: STOREY.SUITE for each of `suites`, with labels_of_SUITE, and
+# STOREY.other_suites for tests whose names the sources do not show.
+string(REGEX REPLACE "_tests?$" "" storey ${program})
+if(NOT EXISTS ${file})
+  add_test(${program}_NOT_BUILT ${file})
+  set(suites)
+else()
+  set(all)
+endif()
+foreach(suite IN LISTS suites)
+  # With parameters: PREFIX/SUITE.NAME/VALUE; of types: SUITE/TYPE.NAME.
+  set(filter "${suite}.*:*/${suite}.*:${suite}/*")
+  string(APPEND all ":${filter}")
+  add_test(${storey}.${suite} ${file} --gtest_brief=1 --gtest_filter=${filter})
+  list(REMOVE_DUPLICATES labels_of_${suite})
+  set_tests_properties(${storey}.${suite} PROPERTIES LABELS "${labels_of_${suite}}")
+  unset(labels_of_${suite})
+endforeach()
+if(suites)
+  add_test(${storey}.other_suites ${file} --gtest_brief=1 "--gtest_filter=-${all}")
+  set_tests_properties(${storey}.other_suites PROPERTIES LABELS unit)
+endif()
