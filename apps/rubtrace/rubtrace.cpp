@@ -20,7 +20,6 @@
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
 #include "rubsweep/analysis/trace/probe.hpp"
-#include "rubsweep/analysis/trace/trace_csv.hpp"
 #include "rubsweep/analysis/trace/trace_run.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/start.hpp"
@@ -45,6 +44,7 @@
 #include "shared/shown_lengths.hpp"
 #include "shared/study_questions.hpp"
 #include "shared/working_time.hpp"
+#include "trace_csv.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -129,8 +129,8 @@ std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probe
       trace::find_period(z, probes.sample_s, speed_hz, probes.noise_m, turns, study.response.max_order);
   const auto spectrum = trace::probe_spectrum(z, probes.sample_s, speed_hz, turns, period.period.value_or(1),
                                               workspace.spectrum);
-  files["probe_spectrum.csv"] = trace::spectrum_csv(spectrum, speed_hz);
-  return trace::probe_summary(period, *pair, probes, arguments.shown);
+  files["probe_spectrum.csv"] = spectrum_csv(spectrum, speed_hz);
+  return probe_summary(period, *pair, probes, arguments.shown);
 }
 
 trace::TraceOptions options_of(const RubtraceArguments& arguments, const sweep::Study& study,
@@ -147,11 +147,11 @@ void add_trace(const trace::Trace& trace, const trace::TraceOptions& options, co
                const sweep::Row& row, double length_scale_m, const RubtraceArguments& arguments,
                response::motion::Workspace& workspace, batch::ResultFiles& files, std::string& summary) {
   const trace::TraceWindow window = trace::last_window(trace, options, row.order, workspace.spectrum);
-  files["trajectory.csv"] = trace::trajectory_csv(trace);
-  files["section.csv"] = trace::section_csv(trace);
-  files["events.csv"] = trace::events_csv(trace);
-  files["spectrum.csv"] = trace::spectrum_csv(window.spectrum, options.speed_hz);
-  summary += trace::trace_summary(trace, window, length_scale_m, arguments.shown);
+  files["trajectory.csv"] = trajectory_csv(trace);
+  files["section.csv"] = section_csv(trace);
+  files["events.csv"] = events_csv(trace);
+  files["spectrum.csv"] = spectrum_csv(window.spectrum, options.speed_hz);
+  summary += trace_summary(trace, window, length_scale_m, arguments.shown);
   if (options.probes)
     summary += look_by_probes(trace, *options.probes, options.speed_hz, study, arguments, workspace, files);
 }

@@ -10,7 +10,7 @@
 #include "core/scene/kit_machine.hpp"
 #include "core/scene/table_machine.hpp"
 #include "rubsweep/analysis/design/design_check.hpp"
-#include "rubsweep/analysis/design/design_tables.hpp"
+#include "rubsweep/analysis/design/design_page.hpp"
 
 namespace rubsweep::design {
 namespace {

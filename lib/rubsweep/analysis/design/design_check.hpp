@@ -11,7 +11,7 @@
 #include "rubsweep/analysis/design/lateral_terms.hpp"
 #include "rubsweep/analysis/design/unbalance_response.hpp"
 #include "rubsweep/analysis/linear/campbell.hpp"
-#include "rubsweep/analysis/linear/campbell_tables.hpp"
+#include "rubsweep/analysis/linear/lock_speeds.hpp"
 #include "rubsweep/core/model/machine.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
