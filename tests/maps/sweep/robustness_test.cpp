@@ -1,4 +1,3 @@
-#include "rubsweep/maps/sweep/robustness.hpp"
 
 #include <gtest/gtest.h>
 

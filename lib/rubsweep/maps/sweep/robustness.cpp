@@ -1,4 +1,4 @@
-#include "rubsweep/maps/sweep/robustness.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::sweep {
 namespace {

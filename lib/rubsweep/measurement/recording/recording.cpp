@@ -11,7 +11,6 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/recording/findings.hpp"
 #include "rubsweep/measurement/recording/found_speed.hpp"
-#include "rubsweep/measurement/recording/run_out.hpp"
 #include "rubsweep/measurement/recording/speed_column.hpp"
 
 namespace rubsweep::recording {

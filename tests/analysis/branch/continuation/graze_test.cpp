@@ -1,5 +1,3 @@
-#include "rubsweep/analysis/branch/continuation/graze.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "analysis/branch/two_mass.hpp"
+#include "rubsweep/analysis/branch/continuation/bifurcations.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
 
 namespace rubsweep::branch::continuation {

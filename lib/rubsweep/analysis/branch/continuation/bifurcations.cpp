@@ -7,7 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "rubsweep/analysis/branch/continuation/graze.hpp"
 #include "rubsweep/analysis/branch/continuation/margins.hpp"
 #include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
 #include "rubsweep/analysis/branch/continuation/segment.hpp"
