@@ -130,9 +130,12 @@ std::vector<MeetingTest> tests_of(const ExtendedSystem& system, const Critical& 
       return tests_of_a_torus();
     case continuation::EventKind::graze:
       return tests_of_a_graze(system.even);
-    default:
-      return {};
+    case continuation::EventKind::period_halving:
+    case continuation::EventKind::sequence:
+    case continuation::EventKind::stability:
+      break;  // no curve follows these
   }
+  return {};
 }
 
 /// Kind of the meeting of a graze with a curve of `kind`.
@@ -144,9 +147,14 @@ MeetingKind graze_on(continuation::EventKind kind) {
       return MeetingKind::graze_flip;
     case continuation::EventKind::neimark_sacker:
       return MeetingKind::graze_torus;
-    default:
-      return MeetingKind::graze_fold;
+    case continuation::EventKind::fold:
+    case continuation::EventKind::branch_point:
+    case continuation::EventKind::period_halving:
+    case continuation::EventKind::sequence:
+    case continuation::EventKind::stability:
+      break;
   }
+  return MeetingKind::graze_fold;
 }
 
 class MeetingFinder {
