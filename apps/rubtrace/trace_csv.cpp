@@ -75,7 +75,8 @@ std::string casing_velocity_columns(std::size_t stops) {
 }
 
 void append_casing_velocities(std::string& line, const trace::TraceState& state) {
-  for (const trace::StopState& stop : state.stops) append(line, {stop.casing_m_per_s.x(), stop.casing_m_per_s.y()});
+  for (const trace::StopState& stop : state.stops)
+    append(line, {stop.casing_m_per_s.x(), stop.casing_m_per_s.y()});
 }
 
 }  // namespace
@@ -101,8 +102,8 @@ std::string trace_summary(const trace::Trace& trace, const trace::TraceWindow& w
                    effort_text(trace.effort, trace.revolutions));
 }
 
-std::string probe_summary(const trace::ProbePeriod& period, const trace::ProbePair& pair, const trace::Probes& probes,
-                          const model::ShownLengths& shown) {
+std::string probe_summary(const trace::ProbePeriod& period, const trace::ProbePair& pair,
+                          const trace::Probes& probes, const model::ShownLengths& shown) {
   const std::string what = period.period
                                ? *period.period == 1 ? std::string("repeats every turn")
                                                      : fmt::format("repeats after {} turns", *period.period)
@@ -114,7 +115,7 @@ std::string probe_summary(const trace::ProbePeriod& period, const trace::ProbePa
       "probes    {} by {} readings of sensors {} and {} every {:g} s, noise {}: "
       "{:.2g} % of the energy off the lines, {:.2g} % allowed\n",
       what, period.readings, label(pair.first), label(pair.second), probes.sample_s,
-      model::length_text(probes.noise_m, shown, LengthUnit::m, 6), 100 * period.unexplained_share,
+      model::length_text(probes.noise_m(), shown, LengthUnit::m, 6), 100 * period.unexplained_share,
       100 * period.allowed_share);
 }
 
