@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "analysis/branch/two_mass.hpp"
-#include "rubsweep/analysis/branch/continuation/bifurcations.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
 
 namespace rubsweep::branch::continuation {
