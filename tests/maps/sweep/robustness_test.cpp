@@ -1,3 +1,4 @@
+#include "rubsweep/maps/sweep/robustness.hpp"
 
 #include <gtest/gtest.h>
 

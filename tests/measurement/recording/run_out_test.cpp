@@ -1,10 +1,11 @@
+#include "rubsweep/measurement/recording/run_out.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/measurement/recording/recording.hpp"
 
 namespace rubsweep::recording {
 namespace {

@@ -16,6 +16,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
+#include "rubsweep/maps/sweep/robustness.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
 
 namespace rubsweep::sweep {

@@ -1,4 +1,4 @@
-#include "rubsweep/maps/sweep/evaluate_cell.hpp"
+#include "rubsweep/maps/sweep/robustness.hpp"
 
 namespace rubsweep::sweep {
 namespace {

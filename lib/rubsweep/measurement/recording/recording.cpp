@@ -11,6 +11,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/recording/findings.hpp"
 #include "rubsweep/measurement/recording/found_speed.hpp"
+#include "rubsweep/measurement/recording/run_out.hpp"
 #include "rubsweep/measurement/recording/speed_column.hpp"
 
 namespace rubsweep::recording {

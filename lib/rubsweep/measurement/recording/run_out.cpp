@@ -1,10 +1,11 @@
+#include "rubsweep/measurement/recording/run_out.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/measurement/recording/recording.hpp"
 
 namespace rubsweep::recording {
 
