@@ -62,6 +62,17 @@ TEST(DesignTables, NamesOfStopsHaveTheirColumn) {
   EXPECT_NE(csv.find("dry_whip,stop 1,,,0.25,,1,1,ok,catcher\n"), std::string::npos) << csv;
 }
 
+TEST(DesignTables, NamesWithCommasAndQuotesAreQuoted) {
+  DesignCheck check = tabled_check();
+  design::Term& term = check.lateral.emplace_back();
+  term.check = "bearing_force";
+  term.place = "support 0";
+  term.name = "Drive end, \"A\"";
+  const std::string csv = tables_of(check).design_check_csv;
+  EXPECT_NE(csv.find("\nbearing_force,support 0,,,,,,,,\"Drive end, \"\"A\"\"\"\n"), std::string::npos)
+      << csv;
+}
+
 TEST(DesignTables, LimitOfTheProbesIsThatOfTheOperatingRange) {
   EXPECT_EQ(tables_of(tabled_check()).unbalance_response_csv,
             "place,position_m,speed_hz,major_axis_m,limit_m\n"
