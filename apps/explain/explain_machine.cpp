@@ -93,14 +93,14 @@ std::string explain_friction(const model::Stop& stop, const scene::Contact& cont
   if (!contact::acts(stop.friction)) return fmt::format("  friction: {}\n", name);
   const double mu = contact::friction_coefficient(stop.friction, slip);
   if (const auto [holding, sliding] = model::holding_and_sliding(stop.friction); holding > 0) {
-    const auto* falling = std::get_if<model::FallingFriction>(&stop.friction);
+    const contact::Falling falling = contact::friction_terms(stop.friction).falling;
     return fmt::format(
         "  friction: dry, holds the surfaces together up to {} and slides with {}{}; reverses with the "
         "slip\n",
         holding, sliding,
-        falling == nullptr ? ""
-                           : fmt::format(", falling to it with exp(-(slip / {:.6g} m/s)^{})",
-                                         falling->stribeck_speed_m_per_s, falling->exponent));
+        falling.steepness_s_per_m == 0 ? ""
+                                       : fmt::format(", falling to it with exp(-(slip / {:.6g} m/s)^{})",
+                                                     1 / falling.steepness_s_per_m, falling.exponent));
   }
   if (!contact::depends_on_slip(stop.friction)) {
     if (mu == 0) return fmt::format("  friction: {} 0\n", name);

@@ -83,7 +83,10 @@ void add_keys(std::vector<Merged>& rows, const Form& form, const std::string& pa
         add_keys(rows, key.form, at);
       }
       break;
-    default:
+    case Kind::number:
+    case Kind::integer:
+    case Kind::word:
+    case Kind::text:
       break;
   }
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "datasheet.hpp"
 #include "rubdata_arguments.hpp"
 #include "rubsweep/maps/batch/file_lock.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
@@ -62,13 +63,14 @@ int perform(const RubdataArguments& arguments) {
     return done;
   }
   batch::require_threads(arguments.threads, 1);
-  dataset::DataSet set(study, fmt::format("rubdata {}", RUBSWEEP_VERSION));
+  const std::string program = fmt::format("rubdata {}", RUBSWEEP_VERSION);
+  dataset::DataSet set(study, program);
   if (!set.guards()) say(batch::no_locks("rubdata", study.directory));
   if (!make_missing(arguments, study, set)) {
     say("rubdata: interrupted; finished recordings are kept, the same command goes on\n");
     return 128 + caught_signal();
   }
-  set.finish();
+  set.finish({{"README.md", datasheet(study, program)}, {"instrument.yaml", instrument_yaml(study)}});
   count_in_summary("recordings", static_cast<std::size_t>(study.recordings));
   if (!arguments.quiet) print("{} recordings: {}\n", study.recordings, study.directory.string());
   return done;

@@ -13,8 +13,10 @@
 #include <variant>
 #include <vector>
 
+#include "design_tables.hpp"
 #include "rubsweep/analysis/design/design_check.hpp"
-#include "rubsweep/analysis/design/design_tables.hpp"
+#include "rubsweep/analysis/design/design_page.hpp"
+#include "rubsweep/analysis/design/design_terms.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
@@ -139,14 +141,14 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
   if (other_end)
     other = design::check_design(other_end->config.study, other_end->prepared, other_end->questions);
   working.reset();
-  design::DesignTables tables = design::tables_of(check);
+  DesignTables tables = tables_of(check);
   batch::ResultFiles files{
       {"config.yaml", config::print_config(config)},
       {"design_check.csv", std::move(tables.design_check_csv)},
       {"unbalance_response.csv", std::move(tables.unbalance_response_csv)},
       {"lock_speeds.csv", std::move(tables.lock_speeds_csv)},
       {"kicks.csv", std::move(tables.kicks_csv)},
-      {"design_check_other_end.csv", other ? design::tables_of(*other).design_check_csv : std::string()},
+      {"design_check_other_end.csv", other ? tables_of(*other).design_check_csv : std::string()},
       {"config_other_end.yaml", other ? config::print_config(other_end->config) : std::string()}};
   std::erase_if(files, [](const auto& file) { return file.second.empty(); });
   {

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "campbell_tables.hpp"
 #include "experiment_tables.hpp"
 #include "ramp_tables.hpp"
 #include "rubsweep/analysis/line/follow_line.hpp"
 #include "rubsweep/analysis/linear/campbell.hpp"
-#include "rubsweep/analysis/linear/campbell_tables.hpp"
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
@@ -61,8 +61,8 @@ Outcome outcome_of(ExperimentTables tables) {
 Outcome campbell_diagram(const CampbellSpeeds& asked, const model::Machine& machine) {
   structure::refuse_beyond_tables(machine, asked.from_hz, asked.to_hz);
   const std::vector<double> speeds_hz = batch::evenly_spaced(asked.from_hz, asked.to_hz, asked.count);
-  linear::CampbellTables tables =
-      linear::tables_of(linear::campbell(linear::free_rotor(machine), speeds_hz, 2 * asked.to_hz));
+  CampbellTables tables =
+      tables_of(linear::campbell(linear::free_rotor(machine), speeds_hz, 2 * asked.to_hz));
   return {{{"campbell.csv", std::move(tables.campbell_csv)},
            {"critical_speeds.csv", std::move(tables.critical_speeds_csv)},
            {"mode_shapes.csv", std::move(tables.mode_shapes_csv)},

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,7 @@
 #include <string_view>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/core/model/element_name.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
 
@@ -74,7 +74,7 @@ ProbeArgument probe_of(const std::string& text) {
 }
 
 trace::Probes probes_of(const std::vector<ProbeArgument>& arguments, const scene::PreparedMachine& prepared,
-                        double sample_s) {
+                        double sample_s, const std::vector<std::string>& stop_names) {
   trace::Probes probes{.rows = {}, .angle_deg = {}, .sample_s = sample_s};
   probes.rows.resize(static_cast<Eigen::Index>(arguments.size()), prepared.assembly.system.coordinates());
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -86,7 +86,7 @@ trace::Probes probes_of(const std::vector<ProbeArgument>& arguments, const scene
     probes.angle_deg.push_back(probe.angle_deg);
     probes.derivative.push_back(probe.derivative);
     probes.noise.push_back(probe.noise);
-    if (probe.derivative == 0) probes.noise_m = std::max(probes.noise_m, probe.noise);
+    probes.name.push_back(probe.stop ? model::name_at(stop_names, *probe.stop) : "");
   }
   return probes;
 }

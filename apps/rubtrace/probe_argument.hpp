@@ -24,10 +24,10 @@ struct ProbeArgument {
 /// Reads PLACE:QUANTITY:ANGLE_DEG[:NOISE], with PLACE shaft, stopN or shaft-stopN. Throws UsageError.
 ProbeArgument probe_of(const std::string& text);
 
-/// Probes of a run. Noise of a displacement, of the noisiest, is `noise_m`. Throws ConfigError where a
-/// machine has no such stop or its casing is rigid.
+/// Probes of a run; at a stop they have its name. Throws ConfigError where a machine has no such stop or its
+/// casing is rigid.
 trace::Probes probes_of(const std::vector<ProbeArgument>& arguments, const scene::PreparedMachine& prepared,
-                        double sample_s);
+                        double sample_s, const std::vector<std::string>& stop_names = {});
 
 /// A number for each probe that is the same for displacements at one place, and otherwise NaN.
 std::vector<double> places_of(const std::vector<ProbeArgument>& arguments);

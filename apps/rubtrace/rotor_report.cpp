@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "campbell_tables.hpp"
 #include "rotor_report_tables.hpp"
 #include "rubsweep/analysis/design/design_check.hpp"
 #include "rubsweep/analysis/design/lateral_terms.hpp"
 #include "rubsweep/analysis/design/unbalance_cases.hpp"
 #include "rubsweep/analysis/linear/campbell.hpp"
-#include "rubsweep/analysis/linear/campbell_tables.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
@@ -207,8 +207,8 @@ Report report_of(const RubtraceArguments& arguments, const sweep::Study& study, 
       kit != nullptr && !kit->matrices ? with_places_between(rotor.rotor()) : rotor.rotor();
   const std::vector<double> diagram_hz =
       batch::evenly_spaced(speeds.shown.from_hz, speeds.shown.to_hz, campbell_speeds);
-  linear::CampbellTables campbell =
-      linear::tables_of(linear::campbell(shown, diagram_hz, 2 * speeds.shown.to_hz));
+  CampbellTables campbell =
+      tables_of(linear::campbell(shown, diagram_hz, 2 * speeds.shown.to_hz));
   report.files = {{"campbell.csv", std::move(campbell.campbell_csv)},
                   {"critical_speeds.csv", std::move(campbell.critical_speeds_csv)},
                   {"mode_shapes.csv", std::move(campbell.mode_shapes_csv)},

@@ -20,7 +20,6 @@
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
 #include "rubsweep/analysis/trace/probe.hpp"
-#include "rubsweep/analysis/trace/trace_csv.hpp"
 #include "rubsweep/analysis/trace/trace_run.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/start.hpp"
@@ -45,6 +44,7 @@
 #include "shared/shown_lengths.hpp"
 #include "shared/study_questions.hpp"
 #include "shared/working_time.hpp"
+#include "trace_csv.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -86,7 +86,7 @@ void refuse_more_memory_than_there_is(const trace::TraceOptions& options, std::s
 }
 
 trace::Probes probes_of(const RubtraceArguments& arguments, const scene::PreparedMachine& prepared,
-                        long revolutions) {
+                        const std::vector<std::string>& stop_names, long revolutions) {
   const double readings =
       static_cast<double>(revolutions) / (arguments.place.speed_hz.value() * arguments.sample_s);
   if (readings > linear::most_samples) {
@@ -96,9 +96,10 @@ trace::Probes probes_of(const RubtraceArguments& arguments, const scene::Prepare
   if (readings < fewest_readings)
     throw UsageError(
         fmt::format("--sample-s: allowed: short enough for {} samples or more", fewest_readings));
-  if (!arguments.probe.empty()) return probes_of(arguments.probe, prepared, arguments.sample_s);
+  if (!arguments.probe.empty()) return probes_of(arguments.probe, prepared, arguments.sample_s, stop_names);
   const linear::SensorRows sensors = linear::sensor_rows(prepared);
-  trace::Probes probes{sensors.rows, sensors.angle_deg, arguments.sample_s, arguments.noise_m};
+  trace::Probes probes{sensors.rows, sensors.angle_deg, arguments.sample_s};
+  probes.noise.assign(probes.angle_deg.size(), arguments.noise_m);
   for (std::size_t i = 0; i < probes.angle_deg.size(); ++i)
     probes.name.push_back(model::sensor_name(prepared.machine, i));
   return probes;
@@ -126,11 +127,11 @@ std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probe
   const auto z = trace::displacement_of(trace.readings, *pair, probes.angle_deg);
   const int turns = static_cast<int>(std::min<long>(trace.revolutions, study.response.window_revolutions));
   const trace::ProbePeriod period =
-      trace::find_period(z, probes.sample_s, speed_hz, probes.noise_m, turns, study.response.max_order);
+      trace::find_period(z, probes.sample_s, speed_hz, probes.noise_m(), turns, study.response.max_order);
   const auto spectrum = trace::probe_spectrum(z, probes.sample_s, speed_hz, turns, period.period.value_or(1),
                                               workspace.spectrum);
-  files["probe_spectrum.csv"] = trace::spectrum_csv(spectrum, speed_hz);
-  return trace::probe_summary(period, *pair, probes, arguments.shown);
+  files["probe_spectrum.csv"] = spectrum_csv(spectrum, speed_hz);
+  return probe_summary(period, *pair, probes, arguments.shown);
 }
 
 trace::TraceOptions options_of(const RubtraceArguments& arguments, const sweep::Study& study,
@@ -147,11 +148,11 @@ void add_trace(const trace::Trace& trace, const trace::TraceOptions& options, co
                const sweep::Row& row, double length_scale_m, const RubtraceArguments& arguments,
                response::motion::Workspace& workspace, batch::ResultFiles& files, std::string& summary) {
   const trace::TraceWindow window = trace::last_window(trace, options, row.order, workspace.spectrum);
-  files["trajectory.csv"] = trace::trajectory_csv(trace);
-  files["section.csv"] = trace::section_csv(trace);
-  files["events.csv"] = trace::events_csv(trace);
-  files["spectrum.csv"] = trace::spectrum_csv(window.spectrum, options.speed_hz);
-  summary += trace::trace_summary(trace, window, length_scale_m, arguments.shown);
+  files["trajectory.csv"] = trajectory_csv(trace);
+  files["section.csv"] = section_csv(trace);
+  files["events.csv"] = events_csv(trace);
+  files["spectrum.csv"] = spectrum_csv(window.spectrum, options.speed_hz);
+  summary += trace_summary(trace, window, length_scale_m, arguments.shown);
   if (options.probes)
     summary += look_by_probes(trace, *options.probes, options.speed_hz, study, arguments, workspace, files);
 }
@@ -170,7 +171,8 @@ int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
   const scene::PreparedMachine prepared =
       scene::prepared_at(scene::prepare_machine(study.machine), place.speed_hz);
   if (!arguments.quiet) warn_of_premises("rubtrace", study, prepared);
-  if (arguments.probes) options.probes = probes_of(arguments, prepared, options.revolutions);
+  if (arguments.probes)
+    options.probes = probes_of(arguments, prepared, study.stop_names, options.revolutions);
   refuse_more_memory_than_there_is(options, study.machine.stops.size(),
                                    prepared.assembly.system.coordinates());
   const fs::path directory = directory_of(arguments, config);

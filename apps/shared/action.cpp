@@ -31,9 +31,12 @@ int act(const StudyArguments& arguments, const StudyActions& actions) {
     case Action::print_config:
       print("{}", actions.configuration());
       return done;
-    default:
-      return actions.run();
+    case Action::run:
+    case Action::help:
+    case Action::version:
+      break;
   }
+  return actions.run();
 }
 
 }  // namespace rubsweep::apps

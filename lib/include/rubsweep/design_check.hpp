@@ -17,4 +17,4 @@
 /// ```
 
 #include "rubsweep/analysis/design/design_check.hpp"
-#include "rubsweep/analysis/design/design_tables.hpp"
+#include "rubsweep/analysis/design/design_page.hpp"

@@ -4,8 +4,7 @@
 /// One run in detail: the trajectory at equal angles, the state after each turn, every change of contact mode
 /// with its instant, probes, and contacts turn by turn. Displacements are in metres, times in seconds since
 /// the start of the kick. trace_run takes a run at its start (integrate::start), its scene, and the numbers
-/// of turns and samples. A run that fails ends early, and `outcome` says why. trace_csv.hpp writes the tables
-/// of `rubtrace`.
+/// of turns and samples. A run that fails ends early, and `outcome` says why.
 ///
 /// ```cpp
 /// using namespace rubsweep;
@@ -19,7 +18,6 @@
 /// std::printf("%zu states, %zu changes of contact\n", trace.trajectory.size(), trace.switches.size());
 /// ```
 
-#include "rubsweep/analysis/trace/trace_csv.hpp"
 #include "rubsweep/analysis/trace/trace_run.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/response/motion/workspace.hpp"

@@ -5,12 +5,14 @@
 #include <numbers>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include "analysis/design/study_of.hpp"
 #include "core/scene/kit_machine.hpp"
 #include "core/scene/table_machine.hpp"
 #include "rubsweep/analysis/design/design_check.hpp"
-#include "rubsweep/analysis/design/design_tables.hpp"
+#include "rubsweep/analysis/design/design_page.hpp"
+#include "rubsweep/analysis/design/design_terms.hpp"
 
 namespace rubsweep::design {
 namespace {
@@ -23,22 +25,20 @@ DesignCheck checked(const model::Machine& machine, const DesignQuestions& asked)
   return check_design(study_of(machine), scene::prepare_machine(machine), asked);
 }
 
-/// Words of those checks in the table that have a verdict.
-std::set<std::string> with_verdict(const DesignCheck& check, const std::string& verdict) {
+/// Words of those checks that have a verdict.
+std::set<std::string> with_verdict(const DesignCheck& check, std::string_view verdict) {
   std::set<std::string> found;
-  const std::string text = tables_of(check).design_check_csv;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = text.find('\n', begin);
-    const std::string line = text.substr(begin, end - begin);
-    if (line.find("," + verdict + ",") != std::string::npos) found.insert(line.substr(0, line.find(',')));
-    begin = end + 1;
+  for (const Term& term : terms_of(check)) {
+    const bool told = term.not_told.empty() && term.met;
+    if ((told ? *term.met ? "ok" : "not_met" : term.not_told.empty() ? "" : "not_told") == verdict)
+      found.insert(term.check);
   }
   return found;
 }
 
 void expect_only(const DesignCheck& check, const std::string& broken) {
   EXPECT_EQ(answer_of(check), Answer::not_met) << broken;
-  EXPECT_EQ(with_verdict(check, "not_met"), std::set{broken}) << tables_of(check).design_check_csv;
+  EXPECT_EQ(with_verdict(check, "not_met"), std::set{broken}) << design_page(check);
 }
 
 TEST(LateralTerms, AMachineThatKeepsAllLimitsPasses) {
@@ -139,8 +139,8 @@ TEST(LateralTerms, ResponsesOfModesHaveTheirOwnLinesAtTheProbes) {
   EXPECT_TRUE(places.contains("bearing_force support 0"));
 }
 
-const Term& term_of(const DesignCheck& check, const std::string& word) {
-  for (const Term& term : check.lateral)
+Term term_of(const DesignCheck& check, const std::string& word) {
+  for (const Term& term : terms_of(check))
     if (term.check == word) return term;
   throw std::out_of_range(word);
 }
@@ -152,9 +152,7 @@ TEST(LateralTerms, ABearingHasTheTagOfItsFileBesideItsNumber) {
   const DesignCheck check = checked(machine, questions({60, 100}));
   EXPECT_EQ(term_of(check, "bearing_force").name, "Drive end, \"A\"");
   EXPECT_NE(design_page(check).find("bearing force, support 0 (Drive end, \"A\") at "), std::string::npos);
-  const std::string table = tables_of(check).design_check_csv;
-  EXPECT_NE(table.find("\nbearing_force,support 0,"), std::string::npos);
-  EXPECT_NE(table.find(",\"Drive end, \"\"A\"\"\"\n"), std::string::npos) << table;
+  EXPECT_EQ(term_of(check, "bearing_force").place, "support 0");
 }
 
 TEST(LateralTerms, AProbeHasTheNamesOfItsSensors) {
@@ -164,9 +162,8 @@ TEST(LateralTerms, AProbeHasTheNamesOfItsSensors) {
   const DesignCheck check = checked(machine, questions({60, 100}));
   EXPECT_EQ(term_of(check, "response").name, "mid x, mid y");
   EXPECT_NE(design_page(check).find("  probe 0 (mid x, mid y) at 0.2 m: "), std::string::npos);
-  const std::string table = tables_of(check).design_check_csv;
-  EXPECT_NE(table.find("\nvibration,probe 0,"), std::string::npos);
-  EXPECT_NE(table.find(",\"mid x, mid y\"\n"), std::string::npos) << table;
+  EXPECT_EQ(term_of(check, "vibration").name, "mid x, mid y");
+  EXPECT_EQ(term_of(check, "vibration").place, "probe 0");
 }
 
 /// The threshold is told with the region, in which Level II is asked for below ten times the coupling.

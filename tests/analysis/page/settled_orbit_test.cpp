@@ -2,13 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
-#include <fstream>
+#include <vector>
 
-#include "maps/batch/read_csv.hpp"
-#include "maps/batch/temporary_directory.hpp"
 #include "maps/sweep/one_side_study.hpp"
-#include "rubsweep/analysis/trace/trace_csv.hpp"
 #include "rubsweep/analysis/trace/trace_run.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
@@ -32,8 +30,8 @@ Recorded record(const sweep::Study& study) {
   return result;
 }
 
-/// The trajectory written by a trace with as many samples per turn as the orbit.
-batch::CsvTable trajectory(const sweep::Study& study, const SettledOrbit& orbit) {
+/// The trajectory of a trace with as many samples per turn as the orbit.
+std::vector<trace::TracedState> trajectory(const sweep::Study& study, const SettledOrbit& orbit) {
   response::motion::Workspace workspace;
   const scene::Cell cell =
       scene::build_cell(study.machine, study.grid.speed_hz[0], scene::WhirlRatio{study.grid.unbalance[0]});
@@ -42,23 +40,22 @@ batch::CsvTable trajectory(const sweep::Study& study, const SettledOrbit& orbit)
                                     .samples_per_revolution = orbit.steps_per_turn,
                                     .window_revolutions = 1,
                                     .trajectory_revolutions = orbit.turns};
-  const trace::Trace trace = trace::trace_run(
-      integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene, study.solver, options);
-  const TemporaryDirectory directory;
-  const auto path = directory.path() / "trajectory.csv";
-  std::ofstream(path, std::ios::binary) << trace::trajectory_csv(trace);
-  return batch::read_csv(path);
+  return trace::trace_run(integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene,
+                          study.solver, options)
+      .trajectory;
 }
 
 void expect_like_the_trace(const sweep::Study& study, const SettledOrbit& orbit, double tolerance_m) {
-  const batch::CsvTable table = trajectory(study, orbit);
-  ASSERT_EQ(table.rows.size(), static_cast<std::size_t>(orbit.turns * orbit.steps_per_turn));
-  const std::vector<std::string> names{"x_m", "y_m", "casing_0_x_m", "casing_0_y_m", "gap_0_m"};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    ASSERT_EQ(orbit.signals[i].size(), table.rows.size() + 1);
-    const std::size_t column = batch::column(table, names[i]);
-    for (std::size_t k = 0; k < table.rows.size(); ++k)
-      ASSERT_NEAR(orbit.signals[i][k], batch::number(table, k, column), tolerance_m) << names[i] << " " << k;
+  const std::vector<trace::TracedState> traced = trajectory(study, orbit);
+  ASSERT_EQ(traced.size(), static_cast<std::size_t>(orbit.turns * orbit.steps_per_turn));
+  for (std::size_t i = 0; i < 5; ++i) ASSERT_EQ(orbit.signals[i].size(), traced.size() + 1);
+  for (std::size_t k = 0; k < traced.size(); ++k) {
+    const trace::TraceState& state = traced[k].state;
+    const trace::StopState& stop = state.stops[0];
+    const std::array<double, 5> expected{state.displacement_m.x(), state.displacement_m.y(),
+                                         stop.casing_m.x(), stop.casing_m.y(), stop.gap_m};
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      ASSERT_NEAR(orbit.signals[i][k], expected[i], tolerance_m) << "signal " << i << ", sample " << k;
   }
 }
 

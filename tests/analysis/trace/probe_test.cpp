@@ -23,7 +23,7 @@ Probes probes(double sample_s, double noise_m = 0) {
   both.rows(0, 0) = both.rows(1, 1) = 1;
   both.angle_deg = {0, 90};
   both.sample_s = sample_s;
-  both.noise_m = noise_m;
+  both.noise = {noise_m, noise_m};
   return both;
 }
 

@@ -39,13 +39,14 @@ TEST(ProbeArgument, ReadsShaftCasingAndTheirDistance) {
   const trace::Probes probes =
       probes_of({probe_of("shaft:displacement:0:1e-6"), probe_of("stop0:velocity:90:2e-3"),
                  probe_of("shaft-stop0:displacement:90")},
-                prepared, 1e-3);
+                prepared, 1e-3, {"catcher"});
   Eigen::MatrixXd rows(3, 4);
   rows << 1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, -1;
   EXPECT_LT((probes.rows - rows).cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_EQ(probes.derivative, (std::vector<int>{0, 1, 0}));
   EXPECT_EQ(probes.noise, (std::vector<double>{1e-6, 2e-3, 0}));
-  EXPECT_EQ(probes.noise_m, 1e-6);
+  EXPECT_EQ(probes.noise_m(), 1e-6);
+  EXPECT_EQ(probes.name, (std::vector<std::string>{"", "catcher", "catcher"}));
 }
 
 TEST(ProbeArgument, RefusesStopsThatTheMachineHasNot) {

@@ -52,7 +52,7 @@ TEST_F(DataSetTest, GoesOnWhereItWasStopped) {
   EXPECT_EQ(set.missing().size(), 4u);
   EXPECT_TRUE(set.make(set.missing(), 1, nothing, std::atomic<bool>{false}));
   EXPECT_TRUE(set.missing().empty());
-  set.finish();
+  set.finish({{"README.md", "a set"}});
   const std::string labels = text_of(study_.directory / "labels.csv");
   EXPECT_NE(labels.find("\n0,"), std::string::npos);
   EXPECT_NE(labels.find("\n5,"), std::string::npos);
@@ -73,14 +73,14 @@ TEST_F(DataSetTest, MissesARecordingWhoseFileIsGone) {
 TEST_F(DataSetTest, MissesARecordingThatIsNotAsItWasWritten) {
   DataSet set(study_, "rubdata 0");
   set.make(set.missing(), 1, nothing, std::atomic<bool>{false});
-  set.finish();
+  set.finish({{"README.md", "a set"}});
   const std::string labels = text_of(study_.directory / "labels.csv");
   for (const auto& entry : fs::recursive_directory_iterator(study_.directory))
     if (entry.path().filename() == "000002.csv") fs::resize_file(entry.path(), 40);
   EXPECT_EQ(set.missing(), std::vector<std::size_t>{2});
   set.make(set.missing(), 1, nothing, std::atomic<bool>{false});
   EXPECT_TRUE(set.missing().empty());
-  set.finish();
+  set.finish({{"README.md", "a set"}});
   EXPECT_EQ(text_of(study_.directory / "labels.csv"), labels);
 }
 

@@ -87,16 +87,7 @@ TEST(Labels, LeaveEmptyWhatAMachineDoesNotHave) {
     EXPECT_EQ(cell(flat, column), "") << column;
 }
 
-TEST(LabelsDatasheet, NamesEveryColumnAndEveryRange) {
-  const std::string text = datasheet(small_study(), "rubdata 0");
-  for (const LabelColumn& column : label_columns())
-    EXPECT_NE(text.find("| `" + std::string(column.name) + "` | "), std::string::npos) << column.name;
-  EXPECT_NE(text.find("natural_frequency_hz: 25 to 35\n"), std::string::npos);
-  EXPECT_NE(text.find("clearance_m: 1e-04 to 5e-04, evenly in the logarithm\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("6 recordings of 3 machines, made by rubdata 0"), std::string::npos);
-}
-
-TEST(LabelsDatasheet, StudyTextTellsStudiesApartButNotDirectories) {
+TEST(Labels, StudyTextTellsStudiesApartButNotDirectories) {
   const DataStudy study = small_study();
   DataStudy other = study;
   other.directory = "elsewhere";
@@ -112,15 +103,6 @@ TEST(LabelsDatasheet, StudyTextTellsStudiesApartButNotDirectories) {
   other = study;
   other.candidates[1].name = "pin";
   EXPECT_NE(study_text(other), study_text(study));
-}
-
-TEST(LabelsDatasheet, OfOneProbeKnowsNoY) {
-  DataStudy study = small_study();
-  EXPECT_NE(datasheet(study, "").find("`y_m`"), std::string::npos);
-  EXPECT_NE(instrument_yaml(study).find("y_m"), std::string::npos);
-  study.measurement.probes = 1;
-  EXPECT_EQ(datasheet(study, "").find("`y_m`"), std::string::npos);
-  EXPECT_EQ(instrument_yaml(study).find("y_m"), std::string::npos);
 }
 
 }  // namespace

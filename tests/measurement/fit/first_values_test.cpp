@@ -1,4 +1,3 @@
-#include "rubsweep/measurement/fit/first_values.hpp"
 
 #include <gtest/gtest.h>
 

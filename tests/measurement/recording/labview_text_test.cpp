@@ -1,4 +1,3 @@
-#include "rubsweep/measurement/recording/labview_text.hpp"
 
 #include <gtest/gtest.h>
 

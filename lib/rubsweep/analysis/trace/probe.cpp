@@ -121,6 +121,13 @@ double ProbeReader::reading(const integrate::run::TurnReport& turn, double turns
          (y * y * ((1 + 2 * x) * a + x * h * a_rate) + x * x * ((1 + 2 * y) * b - y * h * b_rate));
 }
 
+double Probes::noise_m() const {
+  double largest_m = 0;
+  for (std::size_t i = 0; i < noise.size(); ++i)
+    if (derivative.empty() || derivative[i] == 0) largest_m = std::max(largest_m, noise[i]);
+  return largest_m;
+}
+
 Eigen::MatrixXd ProbeReader::readings() const {
   const Eigen::Index probes = probes_.rows.rows();
   const auto count = static_cast<Eigen::Index>(readings_.size()) / std::max<Eigen::Index>(1, probes);
@@ -132,8 +139,7 @@ Eigen::MatrixXd ProbeReader::readings() const {
   std::mt19937_64 random(noise_seed);
   std::normal_distribution<double> noise;
   for (Eigen::Index i = 0; i < probes; ++i) {
-    const double deviation =
-        probes_.noise.empty() ? probes_.noise_m : probes_.noise[static_cast<std::size_t>(i)];
+    const double deviation = probes_.noise.empty() ? 0 : probes_.noise[static_cast<std::size_t>(i)];
     if (deviation == 0) continue;
     for (double& value : readings.col(i)) value += deviation * noise(random);
   }

@@ -18,11 +18,15 @@ struct Probes {
   Eigen::MatrixXd rows;           ///< probes x n: displacement in metres = row . q
   std::vector<double> angle_deg;  ///< direction of each probe, from +x towards +y
   double sample_s = 1e-3;         ///< sampling interval, > 0
-  double noise_m = 0;  ///< standard deviation of white noise on every reading; the same numbers in every run
   /// Number of derivatives that each probe takes: 0 reads m, 1 m/s, 2 m/s2; empty: displacements.
   std::vector<int> derivative{};
-  std::vector<double> noise{};      ///< standard deviation of each probe in its own unit; empty: noise_m
+  /// Standard deviation of the white noise of each probe in its own unit, the same numbers in every run;
+  /// empty: none has any.
+  std::vector<double> noise{};
   std::vector<std::string> name{};  ///< name of each probe; empty: none has one
+
+  /// Standard deviation of the noisiest displacement.
+  double noise_m() const;
 };
 
 /// Largest number of samples per turn between which readings are interpolated.

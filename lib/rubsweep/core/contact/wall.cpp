@@ -61,11 +61,11 @@ Wall in_units(const Wall& wall, double unit) {
 }
 
 bool same(const Wall& a, const Wall& b) {
-  return std::visit(
-      overloaded{[](const FlatWall& x, const FlatWall& y) { return x.normal == y.normal; },
-                 [](const AnnularWall& x, const AnnularWall& y) { return x.offset == y.offset; },
-                 [](const auto&, const auto&) { return false; }},
-      a, b);
+  return a.index() == b.index() &&
+         std::visit(
+             overloaded{[&](const FlatWall& x) { return x.normal == std::get<FlatWall>(b).normal; },
+                        [&](const AnnularWall& x) { return x.offset == std::get<AnnularWall>(b).offset; }},
+             a);
 }
 
 bool centred(const Wall& wall) {

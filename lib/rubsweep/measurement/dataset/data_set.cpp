@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <map>
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
@@ -160,11 +159,9 @@ bool DataSet::make(const std::vector<std::size_t>& wanted, int threads,
   return made == wanted.size();
 }
 
-void DataSet::finish() {
+void DataSet::finish(const std::map<std::string, std::string>& others) {
   batch::FinishedCells finished(header_.cells);
   finished.add(journal_path());
-  const std::map<std::string, std::string> others{{"README.md", datasheet(study_, program_)},
-                                                  {"instrument.yaml", instrument_yaml(study_)}};
   batch::TableSource source{program_, header_.study_digest, {"labels.csv"}};
   for (const auto& [name, text] : others) {
     batch::write_whole_file(study_.directory / name, text);

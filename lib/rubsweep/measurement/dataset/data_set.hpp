@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,7 +54,9 @@ class DataSet {
   bool make(const std::vector<std::size_t>& wanted, int threads, const std::function<void()>& on_finished,
             const std::atomic<bool>& stop);
 
-  void finish();  ///< Writes labels.csv, README.md, instrument.yaml if nothing is missing. Throws IoError.
+  /// Writes labels.csv and, before it, the other files of the set (texts by name) if nothing is missing.
+  /// Throws IoError.
+  void finish(const std::map<std::string, std::string>& others);
 
  private:
   std::filesystem::path journal_path() const;

@@ -27,12 +27,4 @@ std::string file_of(const DataStudy& study, const LabelledRecording& recording);
 /// Everything that decides the bytes of a set, one item per line: the text whose digest identifies the study.
 std::string study_text(const DataStudy& study);
 
-/// Description of a set (Gebru et al. 2021, "Datasheets for datasets"): how the set was made, its files,
-/// columns and units, and its possible uses and limits. Markdown; `program`: name and version of the writing
-/// program.
-std::string datasheet(const DataStudy& study, const std::string& program);
-
-/// Description of the instrument with which rubscope reads every recording of the set.
-std::string instrument_yaml(const DataStudy& study);
-
 }  // namespace rubsweep::dataset

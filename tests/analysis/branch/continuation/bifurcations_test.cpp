@@ -1,4 +1,3 @@
-#include "rubsweep/analysis/branch/continuation/bifurcations.hpp"
 
 #include <gtest/gtest.h>
 

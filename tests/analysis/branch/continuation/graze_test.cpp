@@ -1,5 +1,3 @@
-#include "rubsweep/analysis/branch/continuation/graze.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

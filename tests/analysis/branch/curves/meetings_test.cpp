@@ -1,4 +1,3 @@
-#include "rubsweep/analysis/branch/curves/meetings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,3 @@
-#include "rubsweep/analysis/branch/continuation/even_graze.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/analysis/branch/curves/conditions.hpp"
-
 namespace rubsweep::branch::curves {
 namespace {
 

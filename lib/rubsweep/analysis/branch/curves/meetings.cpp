@@ -1,5 +1,3 @@
-#include "rubsweep/analysis/branch/curves/meetings.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "rubsweep/analysis/branch/continuation/segment.hpp"
+#include "rubsweep/analysis/branch/curves/follow_curve.hpp"
 #include "rubsweep/analysis/branch/orbits/contact_sequence.hpp"
 #include "rubsweep/analysis/branch/orbits/multipliers.hpp"
 
@@ -131,9 +130,12 @@ std::vector<MeetingTest> tests_of(const ExtendedSystem& system, const Critical& 
       return tests_of_a_torus();
     case continuation::EventKind::graze:
       return tests_of_a_graze(system.even);
-    default:
-      return {};
+    case continuation::EventKind::period_halving:
+    case continuation::EventKind::sequence:
+    case continuation::EventKind::stability:
+      break;  // no curve follows these
   }
+  return {};
 }
 
 /// Kind of the meeting of a graze with a curve of `kind`.
@@ -145,9 +147,14 @@ MeetingKind graze_on(continuation::EventKind kind) {
       return MeetingKind::graze_flip;
     case continuation::EventKind::neimark_sacker:
       return MeetingKind::graze_torus;
-    default:
-      return MeetingKind::graze_fold;
+    case continuation::EventKind::fold:
+    case continuation::EventKind::branch_point:
+    case continuation::EventKind::period_halving:
+    case continuation::EventKind::sequence:
+    case continuation::EventKind::stability:
+      break;
   }
+  return MeetingKind::graze_fold;
 }
 
 class MeetingFinder {

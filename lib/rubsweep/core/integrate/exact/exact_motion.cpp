@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "rubsweep/core/numerics/certified_step.hpp"
 #include "rubsweep/core/numerics/exponential_series.hpp"
@@ -12,6 +13,13 @@ namespace rubsweep::integrate::exact {
 namespace {
 
 constexpr double at_zero = 1e-12;  ///< clearances: a smaller excess of a guard over zero is rounding
+
+/// Cell of the mode with this index, made for a new one; references to other cells may then be lost.
+template <class Cell>
+Cell& cell_at(std::size_t index, std::vector<Cell>& cells) {
+  if (cells.size() <= index) cells.resize(index + 1);
+  return cells[index];
+}
 
 }  // namespace
 
@@ -31,18 +39,16 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   if (next == nullptr) return false;
   if (mode_ != nullptr) tangents_.change(*mode_, *next);
   mode_ = next;
-  if (cells_.size() <= mode_->index) cells_.resize(mode_->index + 1);
-  ModeCell& cell = cells_[mode_->index];
-  bool usable = prepare(*mode_, cell);
+  bool usable = prepare(*mode_, cell_at(mode_->index, cells_));
   // A pulse may begin in contact, and the bounds on released slips then need the responses of the open mode.
   if (joint != 0 && !drives_.acting().empty()) {
     const modes::LinearMode<N>& open = *machine_->mode(0);
-    usable = usable && prepare(open, cells_[open.index]);
+    usable = usable && prepare(open, cell_at(open.index, cells_));
   }
-  cell_ = &cell;
+  cell_ = &cells_[mode_->index];
   joint_ = joint;
   ++visits_;
-  now_.free = mode_->to_free(physical - forced(*mode_, cell, here()));
+  now_.free = mode_->to_free(physical - forced(*mode_, *cell_, here()));
   return usable;
 }
 
@@ -51,11 +57,9 @@ bool ExactMotion<N>::change(std::size_t joint) {
   if constexpr (N != Eigen::Dynamic) {
     const modes::LinearMode<N>* next = machine_->mode(joint);
     if (next == nullptr) return false;
-    if (cells_.size() <= next->index) {
-      cells_.resize(next->index + 1);
-      cell_ = &cells_[mode_->index];
-    }
-    if (drives_.acting().empty() && prepare(*next, cells_[next->index])) {
+    ModeCell& cell = cell_at(next->index, cells_);
+    cell_ = &cells_[mode_->index];
+    if (drives_.acting().empty() && prepare(*next, cell)) {
       const auto& way = transition(*next);
       tangents_.change(*mode_, way.change->by);
       State z;
@@ -63,7 +67,7 @@ bool ExactMotion<N>::change(std::size_t joint) {
       now_.free = z + way.change->constant + now_.phasors.shaft.real() * way.unbalance.real +
                   now_.phasors.shaft.imag() * way.unbalance.imaginary;
       mode_ = next;
-      cell_ = &cells_[next->index];
+      cell_ = &cell;
       joint_ = joint;
       ++visits_;
       return true;

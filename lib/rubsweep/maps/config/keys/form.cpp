@@ -38,9 +38,12 @@ std::string one_of_several(const Form& form, const Form& first) {
     case Kind::map:
     case Kind::numbered:
       return "a " + allowed(form);
-    default:
-      return allowed(form);
+    case Kind::number:
+    case Kind::word:
+    case Kind::any_of:
+      break;
   }
+  return allowed(form);
 }
 
 struct Unit {

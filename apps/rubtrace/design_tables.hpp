@@ -3,14 +3,8 @@
 #include <string>
 
 #include "rubsweep/analysis/design/design_check.hpp"
-#include "rubsweep/analysis/design/design_terms.hpp"
-#include "rubsweep/core/model/length_text.hpp"
 
-namespace rubsweep::design {
-
-/// A design check as one page for a terminal: input, results, and `ok` or `NOT MET` where there is a limit.
-/// Lengths are in the requested unit, in um by default; vibration is always peak to peak.
-std::string design_page(const DesignCheck& check, const model::ShownLengths& shown = {});
+namespace rubsweep::apps {
 
 /// A design check as CSV files.
 struct DesignTables {
@@ -25,6 +19,6 @@ struct DesignTables {
   std::string kicks_csv;
 };
 
-DesignTables tables_of(const DesignCheck& check);
+DesignTables tables_of(const design::DesignCheck& check);
 
-}  // namespace rubsweep::design
+}  // namespace rubsweep::apps

@@ -1,23 +1,20 @@
-#include "rubsweep/analysis/design/design_tables.hpp"
+#include "rubsweep/analysis/design/design_page.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/analysis/linear/campbell_tables.hpp"
+#include "rubsweep/analysis/design/design_terms.hpp"
 #include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
-#include "rubsweep/maps/batch/csv_table.hpp"
 
 namespace rubsweep::design {
 namespace {
 
-using batch::csv_number;
 using model::in_brackets;
 
 std::string_view verdict(bool met) { return met ? "ok" : "NOT MET"; }
@@ -134,28 +131,6 @@ std::string kick_lines(const DesignCheck& check) {
                             failed > 0 ? fmt::format(", {} failed", failed) : "");
 }
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-std::string_view word_of(const Term& term) {
-  if (!term.not_told.empty()) return "not_told";
-  return !term.met ? "" : *term.met ? "ok" : "not_met";
-}
-
-std::string row_of(const Term& term) {
-  return batch::csv_row(std::vector<std::string>{
-             term.check, term.place, csv_number(term.position_m.value_or(nothing)),
-             csv_number(term.speed_hz.value_or(nothing)), csv_number(term.value.value_or(nothing)),
-             csv_number(term.limit.value_or(nothing)), term.unit, csv_number(term.margin.value_or(nothing)),
-             std::string(word_of(term)), term.name}) +
-         "\n";
-}
-
-std::string design_check_csv(const DesignCheck& check) {
-  std::string text = "check,place,position_m,speed_hz,value,limit,unit,margin,verdict,name\n";
-  for (const Term& term : terms_of(check)) text += row_of(term);
-  return text;
-}
-
 std::string name_of(const Term& term) {
   std::string name = term.check;
   std::ranges::replace(name, '_', ' ');
@@ -213,34 +188,6 @@ std::string lateral_lines(const DesignCheck& check, const Lengths& length) {
   return text;
 }
 
-double limit_of(const ResponseCurve& curve, double speed_hz, const DesignCheck& check) {
-  if (!curve.probe) return clearance_share * check.clearances[curve.number].diametral_clearance_m;
-  return check.operating.contains(speed_hz) ? check.vibration_limit_m : nothing;
-}
-
-std::string unbalance_response_csv(const DesignCheck& check) {
-  std::string text = "place,position_m,speed_hz,major_axis_m,limit_m\n";
-  for (const ResponseCurve& curve : check.curves) {
-    for (std::size_t k = 0; k < curve.speed_hz.size(); ++k) {
-      text += fmt::format("{} {},{},{},{},{}\n", curve.probe ? "probe" : "stop", curve.number,
-                          csv_number(curve.position_m.value_or(nothing)), csv_number(curve.speed_hz[k]),
-                          csv_number(curve.major_axis_m[k]),
-                          csv_number(limit_of(curve, curve.speed_hz[k], check)));
-    }
-  }
-  return text;
-}
-
-std::string kicks_csv(const DesignCheck& check) {
-  if (check.kicks.empty()) return {};
-  std::string text = "speed_hz,force_n,motion,runs,failed\n";
-  for (const KickThreshold& kick : check.kicks) {
-    text += fmt::format("{},{},{},{},{}\n", csv_number(kick.speed_hz),
-                        csv_number(kick.force_n.value_or(nothing)), kick.motion, kick.runs, kick.failed);
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string design_page(const DesignCheck& check, const model::ShownLengths& shown) {
@@ -252,11 +199,6 @@ std::string design_page(const DesignCheck& check, const model::ShownLengths& sho
                      speed(check.operating.to_hz), speed(check.whole.from_hz)) +
          stability_lines(check) + vibration_lines(check, length) + clearance_lines(check, length) +
          whip_lines(check) + lateral_lines(check, length) + lock_lines(check) + kick_lines(check);
-}
-
-DesignTables tables_of(const DesignCheck& check) {
-  return {design_check_csv(check), unbalance_response_csv(check), linear::lock_speeds_csv(check.locks),
-          kicks_csv(check)};
 }
 
 }  // namespace rubsweep::design

@@ -1,9 +1,13 @@
-#include "rubsweep/analysis/trace/trace_csv.hpp"
+#include "rubtrace/trace_csv.hpp"
 
 #include <gtest/gtest.h>
 
-namespace rubsweep::trace {
+namespace rubsweep::apps {
 namespace {
+
+using trace::Trace;
+using trace::TraceState;
+using trace::TraceWindow;
 
 /// Spectrum over 4 turns of 4 samples, with lines from -2X to 1.75X. `amplitude`: pairs of line number and
 /// amplitude.
@@ -156,4 +160,4 @@ TEST(TraceCsvSpectrum, ListsOrdersUpwardsWithSignedFrequencies) {
 }
 
 }  // namespace
-}  // namespace rubsweep::trace
+}  // namespace rubsweep::apps

@@ -1,9 +1,8 @@
-#include "rubsweep/analysis/linear/campbell_tables.hpp"
+#include "rubsweep/analysis/linear/lock_speeds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <complex>
 
 #include "core/scene/one_side_machine.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
@@ -12,7 +11,7 @@ namespace rubsweep::linear {
 namespace {
 
 /// A forward and a backward whirl of the same frequency w lock at the speed W = w (p + q) / (p - q).
-TEST(CampbellTablesLockSpeeds, OfAJeffcottRotorAreTwoThreeAndFiveTimesItsFrequency) {
+TEST(LockSpeeds, OfAJeffcottRotorAreTwoThreeAndFiveTimesItsFrequency) {
   const Campbell diagram =
       campbell(free_rotor(scene::one_side_machine()), batch::evenly_spaced(0, 200, 37), 400);
   const std::vector<LockSpeed> found = lock_speeds(diagram);
@@ -29,13 +28,13 @@ TEST(CampbellTablesLockSpeeds, OfAJeffcottRotorAreTwoThreeAndFiveTimesItsFrequen
   }
 }
 
-TEST(CampbellTablesLockSpeeds, NoneOfAModeThatIsDampedAway) {
+TEST(LockSpeeds, NoneOfAModeThatIsDampedAway) {
   Campbell diagram = campbell(free_rotor(scene::one_side_machine()), batch::evenly_spaced(0, 200, 37), 400);
   for (CampbellPoint& point : diagram.modes.front().points) point.damping_ratio = 0.6;
   EXPECT_TRUE(lock_speeds(diagram).empty());
 }
 
-TEST(CampbellTablesLockSpeeds, NoneOfAPieceAtWhoseBeginningAModeIsDampedAway) {
+TEST(LockSpeeds, NoneOfAPieceAtWhoseBeginningAModeIsDampedAway) {
   const double speeds[]{50, 65};  // the lock at 60 Hz is between them
   for (const double damped_at_hz : speeds) {
     Campbell diagram = campbell(free_rotor(scene::one_side_machine()), std::vector<double>{50, 65, 80}, 400);
@@ -46,7 +45,7 @@ TEST(CampbellTablesLockSpeeds, NoneOfAPieceAtWhoseBeginningAModeIsDampedAway) {
 }
 
 /// A mode listed as backward after being forward jumps from -f to f: no lock speed lies between.
-TEST(CampbellTablesLockSpeeds, NoneWhereAModeChangesItsDirection) {
+TEST(LockSpeeds, NoneWhereAModeChangesItsDirection) {
   Campbell diagram = campbell(free_rotor(scene::one_side_machine()), batch::evenly_spaced(0, 200, 37), 400);
   for (CampbellPoint& point : diagram.modes.front().points)
     if (point.speed_hz < 20) point.forward_share = 1 - point.forward_share;
@@ -64,7 +63,7 @@ Campbell split(double forward_slope) {
 }
 
 /// Straight branches lead to a linear equation: W = (p w_f + q w_b) / (p - q).
-TEST(CampbellTablesLockSpeeds, FollowTheBranchesOverTheSpeed) {
+TEST(LockSpeeds, FollowTheBranchesOverTheSpeed) {
   const std::vector<LockSpeed> found = lock_speeds(split(0.2));
   ASSERT_EQ(found.size(), 1u);
   // For p = 3, q = 1: 2 W = 3 (10 + 0.2 W) + (10 - 0.1 W) gives W = 40 / 1.5.
@@ -72,7 +71,7 @@ TEST(CampbellTablesLockSpeeds, FollowTheBranchesOverTheSpeed) {
   EXPECT_NEAR(found[0].speed_hz, 40 / 1.5, 1e-9);
 }
 
-TEST(CampbellTablesLockSpeeds, OnASpeedOfTheDiagramAreFoundOnce) {
+TEST(LockSpeeds, OnASpeedOfTheDiagramAreFoundOnce) {
   // 2 W = 3 (10 + 0.2 W) + ... has the solution 40 / (2 - 3 s - (-0.1)) = 20 for s = 0.1 / 3.
   const std::vector<LockSpeed> found = lock_speeds(split(0.1 / 3));
   ASSERT_EQ(found.size(), 2u);
@@ -82,7 +81,7 @@ TEST(CampbellTablesLockSpeeds, OnASpeedOfTheDiagramAreFoundOnce) {
 
 /// A mode overdamped at the lowest speeds has fewer points than the other one, so points are matched by
 /// speed.
-TEST(CampbellTablesLockSpeeds, OfAModeThatBeginsLaterAreThoseOfTheSamePieces) {
+TEST(LockSpeeds, OfAModeThatBeginsLaterAreThoseOfTheSamePieces) {
   Campbell diagram = split(0.2);
   auto& points = diagram.modes[1].points;
   points.erase(points.begin(), points.begin() + 2);
@@ -93,58 +92,10 @@ TEST(CampbellTablesLockSpeeds, OfAModeThatBeginsLaterAreThoseOfTheSamePieces) {
   EXPECT_TRUE(lock_speeds(diagram).empty());
 }
 
-TEST(CampbellTablesLockSpeeds, NoneOfASingleMode) {
+TEST(LockSpeeds, NoneOfASingleMode) {
   Campbell diagram = split(0.2);
   diagram.modes.pop_back();
   EXPECT_TRUE(lock_speeds(diagram).empty());
-}
-
-using Complex = std::complex<double>;
-
-Campbell one_mode() {
-  Campbell diagram;
-  diagram.position_m = {0, 0.5};
-  diagram.modes = {{.number = 3, .points = {{10, 40, 0.02, 1}, {20, 42, -0.01, 0.5}}}};
-  diagram.critical_speeds = {{.mode = 3, .speed_hz = 41.5, .damping_ratio = 0.02, .forward_share = 0.1}};
-  diagram.shapes = {{.mode = 3,
-                     .speed_hz = 41.5,
-                     .frequency_hz = 41.5,
-                     .forward_share = 0.1,
-                     .x = Eigen::Vector2cd(Complex(1, 0), Complex(0.5, 0.25)),
-                     .y = Eigen::Vector2cd(Complex(0, 1), Complex(0, 0))}};
-  return diagram;
-}
-
-TEST(CampbellTables, HaveARowForEachPointSpeedAndPlace) {
-  const CampbellTables tables = tables_of(one_mode());
-  EXPECT_EQ(tables.campbell_csv,
-            "speed_hz,mode,whirl,forward_share,frequency_hz,damping_ratio\n"
-            "10,3,forward,1,40,0.02\n20,3,mixed,0.5,42,-0.01\n");
-  EXPECT_EQ(tables.critical_speeds_csv, "mode,whirl,speed_hz,damping_ratio\n3,backward,41.5,0.02\n");
-  EXPECT_EQ(tables.mode_shapes_csv,
-            "mode,whirl,speed_hz,frequency_hz,position_m,x_real,x_imag,y_real,y_imag\n"
-            "3,backward,41.5,41.5,0,1,0,0,1\n3,backward,41.5,41.5,0.5,0.5,0.25,0,0\n");
-  EXPECT_EQ(tables.summary,
-            "mode 3    40 Hz at 10 Hz (600 rpm), 42 Hz at 20 Hz (1200 rpm) (mixed), unstable at some speeds\n"
-            "critical  41.5 Hz (2490 rpm), mode 3, backward, damping ratio 0.02\n");
-}
-
-TEST(CampbellTables, HaveARowForEachLockSpeed) {
-  Campbell diagram;
-  diagram.modes = {{.number = 1, .points = {{0, 10, 0.02, 0}, {40, 10, 0.02, 0}}},
-                   {.number = 2, .points = {{0, 10, 0.02, 1}, {40, 10, 0.02, 1}}}};
-  const CampbellTables tables = tables_of(diagram);
-  EXPECT_EQ(tables.lock_speeds_csv, "speed_hz,p,first_mode,q,second_mode\n20,3,2,1,1\n30,2,2,1,1\n");
-  EXPECT_NE(tables.summary.find(
-                "lock      30 Hz (1800 rpm), 2 turns of mode 2 to 1 of mode 1 in the turning frame\n"),
-            std::string::npos)
-      << tables.summary;
-}
-
-TEST(CampbellTables, SayThatThereIsNoCriticalSpeed) {
-  Campbell diagram = one_mode();
-  diagram.critical_speeds.clear();
-  EXPECT_TRUE(tables_of(diagram).summary.ends_with("critical  none in this range of speeds\n"));
 }
 
 }  // namespace

@@ -8,11 +8,11 @@
 #include "rubsweep/core/model/length_text.hpp"
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 
-namespace rubsweep::trace {
+namespace rubsweep::apps {
 
 /// Summary of a trace for a terminal: peaks, hits, the largest lines and the effort. `clearance_m` is the
 /// clearance of the kicked stop. Without `shown`, lines are in m and peaks in clearances.
-std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m,
+std::string trace_summary(const trace::Trace& trace, const trace::TraceWindow& window, double clearance_m,
                           const model::ShownLengths& shown = {});
 
 /// The `count` largest lines without 0X, the largest first. A line must be above both neighbours, so that a
@@ -22,7 +22,7 @@ std::vector<response::spectrum::SpectralLine> largest_lines(const response::spec
                                                             std::size_t count, double clearance_m);
 
 /// One line of text on the period that a pair of probes finds. `probes` must have all probes of the run.
-std::string probe_summary(const ProbePeriod& period, const ProbePair& pair, const Probes& probes,
+std::string probe_summary(const trace::ProbePeriod& period, const trace::ProbePair& pair, const trace::Probes& probes,
                           const model::ShownLengths& shown = {});
 
 /// Tables of one traced run. Stops count from 0, as in the configuration. Times are in seconds since the
@@ -32,17 +32,17 @@ std::string probe_summary(const ProbePeriod& period, const ProbePair& pair, cons
 /// normal_force_i_n, friction_force_i_n; with torsion twist_deg, torque_nm; per stop casing_i_vx_m_per_s,
 /// casing_i_vy_m_per_s; of a rotor kit coordinate_k_m, coordinate_k_m_per_s; then energies and powers as in
 /// Energy.
-std::string trajectory_csv(const Trace& trace);
+std::string trajectory_csv(const trace::Trace& trace);
 
 /// Columns revolution, t_s, x_m, y_m, vx_m_per_s, vy_m_per_s, then per stop casing_i_x_m, casing_i_y_m, then
 /// per
 /// stop casing_i_vx_m_per_s, casing_i_vy_m_per_s.
-std::string section_csv(const Trace& trace);
+std::string section_csv(const trace::Trace& trace);
 
-std::string events_csv(const Trace& trace);  ///< Changes of contact mode, with columns t_s, stop, from, to.
+std::string events_csv(const trace::Trace& trace);  ///< Changes of contact mode, with columns t_s, stop, from, to.
 
 /// Columns `order`, `frequency_hz` and `amplitude_m`, a row for each line, from the most negative order
 /// upwards. The frequency has the sign of the order. An empty spectrum gives only the header.
 std::string spectrum_csv(const response::spectrum::FullSpectrum& spectrum, double speed_hz);
 
-}  // namespace rubsweep::trace
+}  // namespace rubsweep::apps

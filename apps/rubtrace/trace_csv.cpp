@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/trace/trace_csv.hpp"
+#include "trace_csv.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "rubsweep/core/response/motion/classify.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 
-namespace rubsweep::trace {
+namespace rubsweep::apps {
 namespace {
 
 using batch::csv_number;
@@ -62,7 +62,7 @@ void append(std::string& line, std::initializer_list<double> numbers) {
   }
 }
 
-void append_rotor(std::string& line, const TraceState& state) {
+void append_rotor(std::string& line, const trace::TraceState& state) {
   append(line, {state.displacement_m.x(), state.displacement_m.y(), state.velocity_m_per_s.x(),
                 state.velocity_m_per_s.y()});
 }
@@ -74,13 +74,14 @@ std::string casing_velocity_columns(std::size_t stops) {
   return text;
 }
 
-void append_casing_velocities(std::string& line, const TraceState& state) {
-  for (const StopState& stop : state.stops) append(line, {stop.casing_m_per_s.x(), stop.casing_m_per_s.y()});
+void append_casing_velocities(std::string& line, const trace::TraceState& state) {
+  for (const trace::StopState& stop : state.stops)
+    append(line, {stop.casing_m_per_s.x(), stop.casing_m_per_s.y()});
 }
 
 }  // namespace
 
-std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m,
+std::string trace_summary(const trace::Trace& trace, const trace::TraceWindow& window, double clearance_m,
                           const model::ShownLengths& shown) {
   const std::string run =
       fmt::format("run       {} revolutions, {}\n", trace.revolutions,
@@ -101,8 +102,8 @@ std::string trace_summary(const Trace& trace, const TraceWindow& window, double 
                    effort_text(trace.effort, trace.revolutions));
 }
 
-std::string probe_summary(const ProbePeriod& period, const ProbePair& pair, const Probes& probes,
-                          const model::ShownLengths& shown) {
+std::string probe_summary(const trace::ProbePeriod& period, const trace::ProbePair& pair,
+                          const trace::Probes& probes, const model::ShownLengths& shown) {
   const std::string what = period.period
                                ? *period.period == 1 ? std::string("repeats every turn")
                                                      : fmt::format("repeats after {} turns", *period.period)
@@ -114,7 +115,7 @@ std::string probe_summary(const ProbePeriod& period, const ProbePair& pair, cons
       "probes    {} by {} readings of sensors {} and {} every {:g} s, noise {}: "
       "{:.2g} % of the energy off the lines, {:.2g} % allowed\n",
       what, period.readings, label(pair.first), label(pair.second), probes.sample_s,
-      model::length_text(probes.noise_m, shown, LengthUnit::m, 6), 100 * period.unexplained_share,
+      model::length_text(probes.noise_m(), shown, LengthUnit::m, 6), 100 * period.unexplained_share,
       100 * period.allowed_share);
 }
 
@@ -138,7 +139,7 @@ std::vector<SpectralLine> largest_lines(const response::spectrum::FullSpectrum& 
   return lines;
 }
 
-std::string trajectory_csv(const Trace& trace) {
+std::string trajectory_csv(const trace::Trace& trace) {
   std::string text = "t_s,x_m,y_m,vx_m_per_s,vy_m_per_s";
   for (std::size_t i = 0; i < trace.stops; ++i) {
     text +=
@@ -154,7 +155,7 @@ std::string trajectory_csv(const Trace& trace) {
   for (const auto& [time_s, state] : trace.trajectory) {
     text += csv_number(time_s);
     append_rotor(text, state);
-    for (const StopState& stop : state.stops) {
+    for (const trace::StopState& stop : state.stops) {
       append(text,
              {stop.casing_m.x(), stop.casing_m.y(), stop.gap_m, stop.normal_force_n, stop.friction_force_n});
     }
@@ -162,7 +163,7 @@ std::string trajectory_csv(const Trace& trace) {
     append_casing_velocities(text, state);
     for (Eigen::Index k = 0; k < trace.vibration_coordinates; ++k)
       append(text, {state.coordinates_m(k), state.rates_m_per_s(k)});
-    const Energy& energy = state.energy;
+    const trace::Energy& energy = state.energy;
     append(text, {energy.kinetic_j, energy.elastic_j, energy.contact_j, energy.forcing_w, energy.damping_w,
                   energy.contact_damping_w, energy.friction_w});
     text += '\n';
@@ -170,7 +171,7 @@ std::string trajectory_csv(const Trace& trace) {
   return text;
 }
 
-std::string section_csv(const Trace& trace) {
+std::string section_csv(const trace::Trace& trace) {
   std::string text = "revolution,t_s,x_m,y_m,vx_m_per_s,vy_m_per_s";
   for (std::size_t i = 0; i < trace.stops; ++i) text += fmt::format(",casing_{0}_x_m,casing_{0}_y_m", i);
   text += casing_velocity_columns(trace.stops) + '\n';
@@ -179,14 +180,14 @@ std::string section_csv(const Trace& trace) {
     text += fmt::format("{}", revolution);
     append(text, {time_s});
     append_rotor(text, state);
-    for (const StopState& stop : state.stops) append(text, {stop.casing_m.x(), stop.casing_m.y()});
+    for (const trace::StopState& stop : state.stops) append(text, {stop.casing_m.x(), stop.casing_m.y()});
     append_casing_velocities(text, state);
     text += '\n';
   }
   return text;
 }
 
-std::string events_csv(const Trace& trace) {
+std::string events_csv(const trace::Trace& trace) {
   std::string text = "t_s,stop,from,to\n";
   for (const auto& [time_s, change] : trace.switches) {
     text += fmt::format("{},{},{},{}\n", csv_number(time_s), change.contact, contact::to_string(change.from),
@@ -205,4 +206,4 @@ std::string spectrum_csv(const response::spectrum::FullSpectrum& spectrum, doubl
   return text;
 }
 
-}  // namespace rubsweep::trace
+}  // namespace rubsweep::apps
