@@ -1,10 +1,11 @@
+#include "rubsweep/analysis/design/kick_threshold.hpp"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
 
 #include "analysis/design/study_of.hpp"
 #include "core/scene/one_side_machine.hpp"
-#include "rubsweep/analysis/design/design_check.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::design {

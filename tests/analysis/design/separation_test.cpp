@@ -1,9 +1,10 @@
+#include "rubsweep/analysis/design/separation.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "analysis/design/amplification.hpp"
-#include "rubsweep/analysis/design/lateral_terms.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 
 namespace rubsweep::design {

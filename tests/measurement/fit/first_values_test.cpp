@@ -1,3 +1,4 @@
+#include "rubsweep/measurement/fit/first_values.hpp"
 
 #include <gtest/gtest.h>
 

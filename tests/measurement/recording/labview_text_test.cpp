@@ -1,3 +1,4 @@
+#include "rubsweep/measurement/recording/labview_text.hpp"
 
 #include <gtest/gtest.h>
 

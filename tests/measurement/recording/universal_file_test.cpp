@@ -1,8 +1,9 @@
+#include "rubsweep/measurement/recording/universal_file.hpp"
+
 #include <gtest/gtest.h>
 
 #include "measurement/recording/instrument_files.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/measurement/recording/recording_file.hpp"
 
 namespace rubsweep::recording {
 namespace {

@@ -1,6 +1,7 @@
+#include "rubsweep/analysis/design/kick_threshold.hpp"
+
 #include <map>
 
-#include "rubsweep/analysis/design/design_check.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"

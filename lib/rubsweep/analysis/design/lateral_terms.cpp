@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rubsweep/analysis/design/critical_map.hpp"
+#include "rubsweep/analysis/design/separation.hpp"
 #include "rubsweep/analysis/design/static_line.hpp"
 #include "rubsweep/core/model/element_name.hpp"
 #include "rubsweep/core/model/speed_text.hpp"

@@ -1,11 +1,11 @@
+#include "rubsweep/analysis/design/separation.hpp"
+
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include "rubsweep/analysis/design/lateral_terms.hpp"
 
 namespace rubsweep::design {
 namespace {

@@ -1,3 +1,5 @@
+#include "rubsweep/measurement/fit/first_values.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -5,7 +7,6 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/measurement/fit/machine_fit.hpp"
 #include "rubsweep/measurement/fit/uncertainty.hpp"
 
 namespace rubsweep::fit {

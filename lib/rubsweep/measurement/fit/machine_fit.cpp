@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/measurement/fit/first_values.hpp"
 
 namespace rubsweep::fit {
 namespace {

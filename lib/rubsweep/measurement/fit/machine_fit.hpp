@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -31,12 +30,5 @@ struct MachineFitResult {
 /// not suit the machine or the parameters, and for forbidden first values. The result has no values if the
 /// fit was stopped before it found any.
 MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOptions& options);
-
-void begin_at(const Eigen::VectorXd& start, LeastSquares& squares);
-
-/// Improves the start values, so that the descent does not end in a wrong minimum. Each angle is set to the
-/// value with the smallest residual, the instant of the hit to the best result of many short descents.
-void find_first_values(const MachineFit& problem, const LeastSquares& squares,
-                       const LeastSquaresOptions& options, Eigen::VectorXd& start);
 
 }  // namespace rubsweep::fit

@@ -10,6 +10,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/table/head.hpp"
 #include "rubsweep/maps/table/rows.hpp"
+#include "rubsweep/measurement/recording/labview_text.hpp"
 
 namespace rubsweep::recording {
 namespace {

@@ -15,7 +15,7 @@ namespace rubsweep::recording {
 /// Columns of text are left out. A column of time stamps (table/time_stamp.hpp) becomes seconds since the
 /// first one; stamps without a date may pass midnight. Signals may stand in rows, each behind its name. Words
 /// instead of readings are gaps; lines of words are skipped, with a note. A sampling rate given above the
-/// table is used. LabVIEW's .lvm is read with all its segments and clocks. Throws
+/// table is used. LabVIEW's .lvm is read with all its segments and clocks (labview_text.hpp). Throws
 /// ConfigError with `name`:line:column for a cell that is no number, a row that is too short or too long, and
 /// a text without numbers.
 Channels read_delimited_text(std::string_view bytes, const std::string& name);
@@ -23,11 +23,5 @@ Channels read_delimited_text(std::string_view bytes, const std::string& name);
 /// Reads one table of a text in UTF-8, which begins after `lines_before` lines of its file. Throws
 /// table::Fault, with the line of the text.
 Channels read_table(std::string_view text, std::size_t lines_before);
-
-/// Reads a LabVIEW measurement (.lvm) in UTF-8: its signals, with the units of the header, and their times
-/// "X_Value". These come from the file, or from X0 and Delta_X where the file has none. Where each signal has
-/// its own times (X_Columns Multi), all must be the same. Segments follow one another by their own times, or
-/// by the start instants in their headers. Throws table::Fault.
-Channels read_labview_text(std::string_view text);
 
 }  // namespace rubsweep::recording

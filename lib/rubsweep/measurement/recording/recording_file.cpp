@@ -20,6 +20,8 @@
 #include "rubsweep/maps/matlab/read_file.hpp"
 #include "rubsweep/maps/table/head.hpp"
 #include "rubsweep/maps/table/rows.hpp"
+#include "rubsweep/measurement/recording/tdms_file.hpp"
+#include "rubsweep/measurement/recording/universal_file.hpp"
 
 namespace rubsweep::recording {
 namespace {

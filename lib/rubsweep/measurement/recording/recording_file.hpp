@@ -21,7 +21,7 @@ namespace rubsweep::recording {
 Channels read_matlab_file(std::string_view bytes, const std::string& name);
 
 /// Reads a recording in any supported format. The first bytes of the file decide its format: a MATLAB file, a
-/// WAV file, a TDMS file, a universal file or a table of text
+/// WAV file, a TDMS file (tdms_file.hpp), a universal file (universal_file.hpp) or a table of text
 /// (delimited_text.hpp). `bytes`: the content of the file. Throws ConfigError with its name, for a text with
 /// line and column.
 Channels read_recording_file(const std::filesystem::path& file, std::string_view bytes);
@@ -43,22 +43,5 @@ ReadRecording read_recording(const std::filesystem::path& file, const std::files
 /// full_scale_unit, and the sampling rate. Throws ConfigError with the name of the file where it is damaged
 /// or has fewer than two readings.
 Channels read_sound_file(const std::filesystem::path& file);
-
-/// Reads a TDMS file of LabVIEW. Each channel of numbers or time stamps is a signal with its unit, named like
-/// the channel, or GROUP/NAME where two groups have a channel of this name. If all channels have the same
-/// wf_increment, it gives the sampling rate. Channels of text, and channels shorter than the longest ones,
-/// are left out with a note. Throws ConfigError with `name` where the file is damaged, holds raw data of
-/// DAQmx, or no signal.
-Channels read_tdms_file(std::string_view bytes, const std::string& name);
-
-/// Whether bytes begin as a universal file does: a line "-1", then the number of a data set.
-bool is_universal_file(std::string_view bytes);
-
-/// Reads the time histories of a universal file: data sets 58, of text or of binary numbers (58b). Each set
-/// is one signal. Its name is the first line of the set, or its point and direction where another set has the
-/// same line. "time" is their abscissa. The step has six digits; if a whole number of readings per second
-/// agrees with them, it is used. Spectra, complex functions, and sets with other times than the first are
-/// left out with a note. Throws ConfigError with `name`:line.
-Channels read_universal_file(std::string_view bytes, const std::string& name);
 
 }  // namespace rubsweep::recording

@@ -1,3 +1,5 @@
+#include "rubsweep/measurement/recording/tdms_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +16,6 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/matlab/bytes.hpp"
 #include "rubsweep/maps/table/cell.hpp"
-#include "rubsweep/measurement/recording/recording_file.hpp"
 
 namespace rubsweep::recording {
 namespace {

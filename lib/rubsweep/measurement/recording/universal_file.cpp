@@ -1,3 +1,5 @@
+#include "rubsweep/measurement/recording/universal_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 #include "rubsweep/maps/matlab/bytes.hpp"
 #include "rubsweep/maps/table/cell.hpp"
 #include "rubsweep/maps/table/layout.hpp"
-#include "rubsweep/measurement/recording/recording_file.hpp"
 
 namespace rubsweep::recording {
 namespace {

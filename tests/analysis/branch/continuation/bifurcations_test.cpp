@@ -1,3 +1,4 @@
+#include "rubsweep/analysis/branch/continuation/bifurcations.hpp"
 
 #include <gtest/gtest.h>
 

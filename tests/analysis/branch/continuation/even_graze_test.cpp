@@ -1,3 +1,4 @@
+#include "rubsweep/analysis/branch/continuation/even_graze.hpp"
 
 #include <gtest/gtest.h>
 

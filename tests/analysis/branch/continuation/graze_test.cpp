@@ -1,3 +1,5 @@
+#include "rubsweep/analysis/branch/continuation/graze.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 
 #include "analysis/branch/continuation/plain_maps.hpp"
 #include "analysis/branch/two_mass.hpp"
+#include "rubsweep/analysis/branch/continuation/bifurcations.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
 #include "rubsweep/analysis/branch/orbits/multipliers.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/branch/continuation/plain_maps.hpp"
+#include "rubsweep/analysis/branch/continuation/bifurcations.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
 #include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
 

@@ -1,10 +1,10 @@
+#include "rubsweep/analysis/branch/curves/conditions.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
-
-#include "rubsweep/analysis/branch/curves/extended_system.hpp"
 
 namespace rubsweep::branch::curves {
 namespace {

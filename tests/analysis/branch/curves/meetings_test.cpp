@@ -1,3 +1,4 @@
+#include "rubsweep/analysis/branch/curves/meetings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,3 +1,5 @@
+#include "rubsweep/analysis/branch/continuation/bifurcations.hpp"
+
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -5,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "rubsweep/analysis/branch/continuation/follow.hpp"
+#include "rubsweep/analysis/branch/continuation/graze.hpp"
 #include "rubsweep/analysis/branch/continuation/margins.hpp"
 #include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
 #include "rubsweep/analysis/branch/continuation/segment.hpp"

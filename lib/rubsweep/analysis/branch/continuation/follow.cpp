@@ -4,7 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "rubsweep/analysis/branch/continuation/bifurcations.hpp"
 #include "rubsweep/analysis/branch/continuation/continuation.hpp"
+#include "rubsweep/analysis/branch/continuation/even_graze.hpp"
 #include "rubsweep/analysis/branch/continuation/margins.hpp"
 #include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
 #include "rubsweep/core/numerics/spectral/decompositions.hpp"

@@ -1,3 +1,5 @@
+#include "rubsweep/analysis/branch/continuation/graze.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "rubsweep/analysis/branch/continuation/follow.hpp"
 #include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
 #include "rubsweep/analysis/branch/continuation/segment.hpp"
 #include "rubsweep/analysis/branch/orbits/contact_sequence.hpp"

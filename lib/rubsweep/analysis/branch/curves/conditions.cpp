@@ -1,9 +1,10 @@
+#include "rubsweep/analysis/branch/curves/conditions.hpp"
+
 #include <Eigen/LU>
 #include <cmath>
 #include <complex>
 #include <limits>
 
-#include "rubsweep/analysis/branch/curves/extended_system.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/numerics/spectral/decompositions.hpp"

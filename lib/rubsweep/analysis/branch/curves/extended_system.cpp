@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubsweep/analysis/branch/curves/conditions.hpp"
+
 namespace rubsweep::branch::curves {
 namespace {
 

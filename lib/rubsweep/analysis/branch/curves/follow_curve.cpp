@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rubsweep/analysis/branch/continuation/continuation.hpp"
+#include "rubsweep/analysis/branch/curves/meetings.hpp"
 
 namespace rubsweep::branch::curves {
 namespace {

@@ -1,3 +1,5 @@
+#include "rubsweep/analysis/branch/curves/meetings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -5,7 +7,6 @@
 #include <utility>
 
 #include "rubsweep/analysis/branch/continuation/segment.hpp"
-#include "rubsweep/analysis/branch/curves/follow_curve.hpp"
 #include "rubsweep/analysis/branch/orbits/contact_sequence.hpp"
 #include "rubsweep/analysis/branch/orbits/multipliers.hpp"
 
