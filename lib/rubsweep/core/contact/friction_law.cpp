@@ -30,6 +30,10 @@ double tanh_slope(double g, double v) {
   return g * (1 - t * t);
 }
 
+double reversing(double coefficient, double slip_m_per_s) {
+  return slip_m_per_s == 0 ? 0.0 : std::copysign(coefficient, slip_m_per_s);
+}
+
 double coefficient_of(const StribeckFriction& stribeck, double v) {
   const auto& g = stribeck.gamma;
   double mu = g[3] * saturating_tanh(g[4] * v) + g[5] * v;
@@ -44,7 +48,18 @@ double slope_of(const StribeckFriction& stribeck, double v) {
   return slope;
 }
 
-std::optional<SaturatedFriction> saturated(const StribeckFriction& stribeck) {
+using Saturated = std::optional<SaturatedFriction>;
+
+Saturated saturated(const NoFriction&) { return SaturatedFriction{0, everywhere}; }
+Saturated saturated(const OneWayFriction& law) { return SaturatedFriction{law.coefficient, everywhere}; }
+Saturated saturated(const ConstantFriction& law) {
+  return SaturatedFriction{law.coefficient, law.coefficient == 0 ? everywhere : 0};
+}
+Saturated saturated(const StaticFriction& law) {
+  return SaturatedFriction{law.coefficient, law.static_coefficient == 0 ? everywhere : 0};
+}
+
+Saturated saturated(const StribeckFriction& stribeck) {
   constexpr double saturated_argument = 14;  // 1 - tanh(14) = 1.4e-12
   const auto& g = stribeck.gamma;
   if (g[5] != 0) return std::nullopt;
@@ -57,7 +72,7 @@ std::optional<SaturatedFriction> saturated(const StribeckFriction& stribeck) {
 
 /// Sliding friction in its own direction. It holds from the slip speed at which the falling part has decayed
 /// to exp(-28).
-std::optional<SaturatedFriction> saturated(const FallingFriction& law) {
+Saturated saturated(const FallingFriction& law) {
   constexpr double saturated_argument = 28;  // exp(-28) = 7e-13, as small as 1 - tanh(14)
   const double steep = law.exponent == 1 ? saturated_argument : std::sqrt(saturated_argument);
   return SaturatedFriction{law.coefficient, steep * law.stribeck_speed_m_per_s};
@@ -70,14 +85,22 @@ FrictionTerms holding_terms(double holding, double dry) {
   return terms;
 }
 
+FrictionTerms terms_of(const NoFriction&) { return {}; }
+FrictionTerms terms_of(const ConstantFriction& law) {
+  return holding_terms(law.coefficient, law.coefficient);
+}
+FrictionTerms terms_of(const StaticFriction& law) {
+  return holding_terms(law.static_coefficient, law.coefficient);
+}
+FrictionTerms terms_of(const OneWayFriction& law) {
+  FrictionTerms terms;
+  terms.constant = law.coefficient;
+  return terms;
+}
 FrictionTerms terms_of(const FallingFriction& law) {
   FrictionTerms terms = holding_terms(law.static_coefficient, law.coefficient);
   terms.falling = {law.static_coefficient - law.coefficient, 1 / law.stribeck_speed_m_per_s, law.exponent};
   return terms;
-}
-
-double reversing(double coefficient, double slip_m_per_s) {
-  return slip_m_per_s == 0 ? 0.0 : std::copysign(coefficient, slip_m_per_s);
 }
 
 void add(FrictionTerms& terms, double height, double steepness_s_per_m) {
@@ -127,62 +150,25 @@ double friction_coefficient(const model::Friction& friction, double slip_m_per_s
 }
 
 double friction_slope(const model::Friction& friction, double slip_m_per_s) {
-  return std::visit(
-      overloaded{
-          [](const NoFriction&) { return 0.0; }, [](const ConstantFriction&) { return 0.0; },
-          [](const OneWayFriction&) { return 0.0; },
-          [&](const StribeckFriction& stribeck) { return slope_of(stribeck, slip_m_per_s); },
-          [](const StaticFriction&) { return 0.0; },
-          [&](const FallingFriction& law) { return terms_of(law).falling.slope(std::abs(slip_m_per_s)); }},
-      friction);
+  if (const auto* stribeck = std::get_if<StribeckFriction>(&friction))
+    return slope_of(*stribeck, slip_m_per_s);
+  const auto* law = std::get_if<FallingFriction>(&friction);
+  return law ? terms_of(*law).falling.slope(std::abs(slip_m_per_s)) : 0;
 }
 
 std::optional<SaturatedFriction> saturated_friction(const model::Friction& friction) {
-  using Result = std::optional<SaturatedFriction>;
-  return std::visit(
-      overloaded{[](const NoFriction&) -> Result {
-                   return SaturatedFriction{0, everywhere};
-                 },
-                 [](const ConstantFriction& constant) -> Result {
-                   return SaturatedFriction{constant.coefficient, constant.coefficient == 0 ? everywhere : 0};
-                 },
-                 [](const OneWayFriction& one_way) -> Result {
-                   return SaturatedFriction{one_way.coefficient, everywhere};
-                 },
-                 [](const StribeckFriction& stribeck) -> Result { return saturated(stribeck); },
-                 [](const StaticFriction& law) -> Result {
-                   return SaturatedFriction{law.coefficient, law.static_coefficient == 0 ? everywhere : 0};
-                 },
-                 [](const FallingFriction& law) -> Result { return saturated(law); }},
-      friction);
+  return std::visit([](const auto& law) { return saturated(law); }, friction);
 }
 
 FrictionTerms friction_terms(const model::Friction& friction) {
-  return std::visit(overloaded{[](const NoFriction&) { return FrictionTerms{}; },
-                               [](const ConstantFriction& constant) {
-                                 return holding_terms(constant.coefficient, constant.coefficient);
-                               },
-                               [](const OneWayFriction& one_way) {
-                                 FrictionTerms terms;
-                                 terms.constant = one_way.coefficient;
-                                 return terms;
-                               },
-                               [](const StribeckFriction& stribeck) { return terms_of(stribeck); },
-                               [](const StaticFriction& law) {
-                                 return holding_terms(law.static_coefficient, law.coefficient);
-                               },
-                               [](const FallingFriction& law) { return terms_of(law); }},
-                    friction);
+  return std::visit([](const auto& law) { return terms_of(law); }, friction);
 }
 
 bool acts(const model::Friction& friction) { return !std::holds_alternative<NoFriction>(friction); }
 
 bool depends_on_slip(const model::Friction& friction) {
-  return std::visit(
-      overloaded{[](const NoFriction&) { return false; }, [](const ConstantFriction&) { return false; },
-                 [](const OneWayFriction&) { return false; }, [](const StribeckFriction&) { return true; },
-                 [](const StaticFriction&) { return false; }, [](const FallingFriction&) { return true; }},
-      friction);
+  return std::holds_alternative<StribeckFriction>(friction) ||
+         std::holds_alternative<FallingFriction>(friction);
 }
 
 bool keeps_its_direction(const model::Friction& friction) { return friction_terms(friction).constant != 0; }

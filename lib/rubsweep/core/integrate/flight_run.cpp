@@ -37,7 +37,7 @@ class FlightRun {
         touches_(contact_.touches()),
         max_steps_(options.max_steps_per_revolution),
         max_evaluations_(run::most_evaluations_of_a_turn(options)) {
-    contact_.step_by(adaptive::make_series_step(contact_.law(), options));
+    contact_.step_by(std::make_unique<adaptive::SeriesStep<N>>(contact_.law(), options));
   }
 
   run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {

@@ -42,7 +42,8 @@ TEST(RegularContact, ForceIsABinomialSeries) {
     double expected = contact.power().force_n(p);
     for (int k = 0; k < 20; ++k) {
       const double distance = k == 0 ? clearance + p : k == 1 ? v : 0;
-      contact.set_motion(k, numerics::Twin{distance, 0}, numerics::Twin{k == 0 ? v : 0, 0});
+      contact.set_distance(k, numerics::Twin{distance, 0});
+      contact.set_velocity(k, numerics::Twin{k == 0 ? v : 0, 0});
       EXPECT_NEAR(contact.power_term(k)[0], expected * (1 + c * v), 1e-13 * contact.power().force_n(p)) << k;
       contact.advance(k, nullptr);
       expected *= (exponent - k) / (k + 1) * v / p;

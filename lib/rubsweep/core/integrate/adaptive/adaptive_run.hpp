@@ -9,7 +9,6 @@
 
 #include "rubsweep/core/integrate/adaptive/event_search.hpp"
 #include "rubsweep/core/integrate/adaptive/step_observer.hpp"
-#include "rubsweep/core/integrate/adaptive/step_parts.hpp"
 #include "rubsweep/core/integrate/adaptive/step_sizes.hpp"
 #include "rubsweep/core/integrate/adaptive/step_switches.hpp"
 #include "rubsweep/core/integrate/adaptive/step_tangents.hpp"
@@ -22,11 +21,9 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// A run with one of Odeint's steppers. With a located law (not smoothed), a step that crosses a mode's guard
-/// is cut there, and the next step starts in the new mode. Inside a step the right-hand side is smooth, so
-/// that the stepper keeps its order. A step also ends where a slip with dry friction reaches zero or a
-/// contact stops sticking. `Law` is the right-hand side: Dynamics, or a law with further numbers after its
-/// state.
+/// A run with one of Odeint's steppers. With a located law (not smoothed), a step is cut where it crosses a
+/// mode's guard, where a slip with dry friction reaches zero, or where a contact stops sticking, so that the
+/// right-hand side is smooth inside. `Law`: Dynamics, or a law with further numbers after its state.
 template <class Law>
 class AdaptiveRun {
   static constexpr bool smoothed = Law::smoothed;
@@ -260,8 +257,8 @@ class AdaptiveRun {
 
   std::optional<Crossing> first_crossing() {
     return CrossingSearch<Law>{
-        dynamics_,       right_hand_side_,       *method_, step_,      start_kinematics_,
-        end_kinematics_, switches_.just_moved(), probe_,   probe_rate_}
+        dynamics_,       right_hand_side_,          *method_, step_,      start_kinematics_,
+        end_kinematics_, switches_.zeros().terms(), probe_,   probe_rate_}
         .first();
   }
 

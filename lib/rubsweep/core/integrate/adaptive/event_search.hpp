@@ -28,8 +28,8 @@ struct CrossingSearch {
   StepMethod& method;
   const Step& step;
   const std::vector<contact::Kinematics>&start_kinematics, &end_kinematics;
-  const std::vector<bool>& just_moved;  ///< slips that start from zero and grow
-  State &probe, &probe_rate;            ///< scratch for a state inside the step
+  const std::vector<int>& zeros;  ///< above 0: a slip that starts from zero and grows
+  State &probe, &probe_rate;      ///< scratch for a state inside the step
 
   /// A step that ends at the first change of a mode has no other.
   std::optional<Crossing> first() {
@@ -95,7 +95,7 @@ struct CrossingSearch {
     };
     const double edge = dynamics.poised(i) ? std::max(0.0, slip(0) + poised_edge(i)) : 0;
     const auto value = [&](double x) { return slip(x) - edge; };
-    const bool moved = just_moved[i];
+    const bool moved = zeros[i] > 0;
     const double at_start = moved ? 0 : value(0), at_end = value(1);
     const double rate = moved ? 0 : sign * h * dynamics.slip_rate(i, step.start, step.start_rate);
     const double end_rate = sign * h * dynamics.slip_rate(i, step.end, step.end_rate);

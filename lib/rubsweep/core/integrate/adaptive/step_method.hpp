@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -95,12 +96,12 @@ class StepMethod {
   /// from the start of the step.
   virtual void state_at(RightHandSide& law, const Step& step, double phase, State& out) = 0;
 
-  /// Variable in which the states of the last step are smooth, by the phase in the step; the phase itself for
-  /// most methods. `state_by` writes the state there, and returns d phase / d variable.
-  virtual double variable_at(const Step&, double phase) { return phase; }
-  virtual double state_by(RightHandSide& law, const Step& step, double variable, State& out) {
-    state_at(law, step, variable, out);
-    return 1;
+  /// Moves tangent vectors (after the state, a row for the damping of each contact of `remembering`) over the
+  /// last step up to a phase, to this relative accuracy; false, without any change, if the method cannot.
+  virtual bool move_tangents(const Step&, double /*end_phase*/,
+                             const std::vector<std::size_t>& /*remembering*/, double /*accuracy*/,
+                             Eigen::Map<Eigen::MatrixXd> /*vectors*/) {
+    return false;
   }
 
   /// Discards what the method remembers of earlier steps, because the right-hand side has changed at a change

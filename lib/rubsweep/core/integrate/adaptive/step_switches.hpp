@@ -10,6 +10,7 @@
 #include "rubsweep/core/integrate/law/dynamics.hpp"
 #include "rubsweep/core/integrate/law/settle_slips.hpp"
 #include "rubsweep/core/integrate/run/turn_book.hpp"
+#include "rubsweep/core/integrate/taylor/slip_zeros.hpp"
 
 namespace rubsweep::integrate::adaptive {
 
@@ -26,23 +27,22 @@ class StepSwitches {
         book_(book),
         tangents_(tangents),
         rate_before_(scratch_rate),
-        just_moved_(law.system().contacts.size(), false) {}
+        zeros_(law.system().contacts.size()) {}
 
-  /// Whether the slip of each contact starts from zero and grows.
-  const std::vector<bool>& just_moved() const { return just_moved_; }
+  /// Slips that start from zero and grow.
+  const taylor::SlipZeros& zeros() const { return zeros_; }
 
   /// Takes up slip or sticking of all contacts at the start of the step, at this phase.
   void enter_slips(double phase) {
     law::enter_slips_by_state(dynamics_, step_.start, step_.start_rate, phase);
-    for (std::size_t i = 0; i < just_moved_.size(); ++i)
-      just_moved_[i] = leaves_zero(i) && law::stands(dynamics_, i, step_.start);
+    zeros_.enter(dynamics_, step_.start);
   }
 
   /// Makes the change at the event that ended the step, if there was an event, and the changes that follow
   /// from it. Returns whether there were any changes.
   bool make(const std::optional<Crossing>& crossing, run::TurnReport& report) {
     bool switched = false;
-    std::fill(just_moved_.begin(), just_moved_.end(), false);
+    zeros_.clear();
     if (crossing && crossing->event != Crossing::Event::mode && crossing->event != Crossing::Event::knot) {
       switch_slip(*crossing);
       switched = true;
@@ -73,12 +73,6 @@ class StepSwitches {
   }
 
  private:
-  /// Whether the slip of contact `i`, if it is zero, begins to grow.
-  bool leaves_zero(std::size_t i) const {
-    return dynamics_.touches_dry(i) && dynamics_.slips()[i] != contact::Slip::sticking &&
-           !dynamics_.poised(i);
-  }
-
   void begin_impact(std::size_t i) {
     dynamics_.begin_impact(i, end_kinematics_[i].closing_speed);
     to_tangents(tangents_, [&](auto& vectors) { vectors.begin_impact(i, step_.end, step_.end_rate); });
@@ -98,10 +92,7 @@ class StepSwitches {
       to_tangents(tangents_, [&](auto& vectors) {
         if (jumps) vectors.see_release(i, crossing.slip, step_.end, step_.end_rate, step_.end_phase);
       });
-      const bool others = law::let_go(dynamics_, i, crossing.slip, step_.end, rate_before_, step_.end_phase);
-      for (std::size_t j = 0; j < end_kinematics_.size(); ++j) {
-        if (j == i || (others && law::stands(dynamics_, j, step_.end))) just_moved_[j] = leaves_zero(j);
-      }
+      zeros_.let_go(dynamics_, i, crossing.slip, step_.end, rate_before_, step_.end_phase);
       if (!jumps) return;
       rate_before_ = step_.end_rate;
       dynamics_(step_.end, step_.end_rate, step_.end_phase);
@@ -115,12 +106,7 @@ class StepSwitches {
   /// Decides stick or slip for contact `i` when its slip is zero; the rate jumps together with the friction.
   void stop_slip(std::size_t i) {
     rate_before_ = step_.end_rate;
-    law::settle_slips(dynamics_, step_.end, step_.end_rate, step_.end_phase,
-                      [&](std::size_t j) { return j == i; });
-    for (std::size_t j = 0; j < end_kinematics_.size(); ++j) {
-      if (dynamics_.touches_dry(j) && (j == i || law::stands(dynamics_, j, step_.end)))
-        just_moved_[j] = leaves_zero(j);
-    }
+    zeros_.stop(dynamics_, i, step_.end, step_.end_rate, step_.end_phase);
     dynamics_(step_.end, step_.end_rate, step_.end_phase);
     to_tangents(tangents_,
                 [&](auto& vectors) { vectors.cross_stop(i, step_.end, rate_before_, step_.end_rate); });
@@ -137,7 +123,7 @@ class StepSwitches {
   run::TurnBook& book_;
   Tangents<Law>& tangents_;
   State& rate_before_;  ///< rate of the state before a change
-  std::vector<bool> just_moved_;
+  taylor::SlipZeros zeros_;
 };
 
 }  // namespace rubsweep::integrate::adaptive

@@ -16,11 +16,10 @@
 namespace rubsweep::integrate::adaptive {
 
 /// Tangent vectors of an adaptive run with contacts whose law is not linear. They obey the variational
-/// equation of the present law. Over each step of the motion, dopri5 integrates this equation with its own
-/// steps, so that requesting vectors does not change the motion. Near the begin of contact, where the slope
-/// of a power of the penetration is not smooth, these steps become short. After the state, a vector contains
-/// the change of the damping of every contact whose damping depends on its approach speed. `Law`: that of a
-/// scene, without further numbers after its state, because their derivatives would be missing.
+/// equation of the present law. Over each step of the motion, its method moves them, or dopri5 with its own
+/// steps; they do not change the motion. After the state, a vector contains the change of the damping of
+/// every contact whose damping depends on its approach speed. `Law`: that of a scene, without further numbers
+/// after its state, because their derivatives would be missing.
 template <class Law>
 class StepTangents final : public RightHandSide {
  public:
@@ -68,15 +67,16 @@ class StepTangents final : public RightHandSide {
     size_ = first_size;
   }
 
-  /// Moves the vectors over the step of the motion up to `end_phase`, in the variable of its method.
+  /// Moves the vectors over the step of the motion up to `end_phase`.
   void follow(StepMethod& motion, RightHandSide& of_motion, const Step& step, double end_phase) {
+    work_ += work_of_slopes;
+    if (motion.move_tangents(step, end_phase, remembering_, tolerance_, vectors())) return;
     motion_ = &motion, of_motion_ = &of_motion, step_ = &step;
-    inner_.start_phase = motion.variable_at(step, step.start_phase);
-    const double end = motion.variable_at(step, end_phase);
+    inner_.start_phase = step.start_phase;
     (*this)(inner_.start, inner_.start_rate, inner_.start_phase);
     double size = size_;
-    for (int attempts = 0; inner_.start_phase < end; ++attempts) {
-      const double left = end - inner_.start_phase;
+    for (int attempts = 0; inner_.start_phase < end_phase; ++attempts) {
+      const double left = end_phase - inner_.start_phase;
       const bool last = 1.000001 * size >= left;
       double next = last ? left : size;
       if (!method_->try_step(*this, inner_, next)) {
@@ -86,7 +86,7 @@ class StepTangents final : public RightHandSide {
       }
       size_ = size = last ? std::max(size, next) : next;
       inner_.turn_around();
-      inner_.start_phase = last ? end : inner_.end_phase;
+      inner_.start_phase = last ? end_phase : inner_.end_phase;
     }
   }
 
@@ -143,9 +143,8 @@ class StepTangents final : public RightHandSide {
     if (count_ == 1) last_ = vectors().col(0);
   }
 
-  /// The variable is the phase wherever a contact sticks.
   void operator()(const State& x, State& rate, double phase) override {
-    const double pace = motion_->state_by(*of_motion_, *step_, phase, at_);
+    motion_->state_at(*of_motion_, *step_, phase, at_);
     typename Law::Holding holding;
     if (law_.stuck_contacts().count > 0) {
       law_.loose(at_, at_rate_, phase);
@@ -165,7 +164,6 @@ class StepTangents final : public RightHandSide {
       to.middleRows(n, n).noalias() += push_.tail(n) * from.row(row);
       to.row(row).setZero();
     }
-    to *= pace;
   }
   /// Unused: no implicit method moves tangent vectors.
   void jacobian(const State&, double*, double, State&) override {}

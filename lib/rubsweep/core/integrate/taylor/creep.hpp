@@ -2,12 +2,10 @@
 
 #include <array>
 
-#include "rubsweep/core/integrate/taylor/contact_law.hpp"
+#include "rubsweep/core/integrate/taylor/contact_series.hpp"
 #include "rubsweep/core/numerics/taylor_series.hpp"
 
 namespace rubsweep::integrate::taylor {
-
-class ContactSeries;
 
 inline constexpr int most_creep_sweeps = 24;
 

@@ -2,73 +2,88 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace rubsweep::integrate::taylor {
 
 using contact::Mode;
-using numerics::both;
 using numerics::product_term;
 using numerics::Twin;
 
-PowerLaw::PowerLaw(const contact::CurvedLaw* law, double length_m) {
-  if (!law || law->law().kind != model::ForceCurve::power) return;
-  const double exponent = law->law().exponent;
-  if (2 * exponent != std::floor(2 * exponent)) return;
-  halves = static_cast<int>(2 * exponent);
-  factor = law->law().stiffness_n_per_m_n * std::pow(length_m, exponent);
-}
-
-/// Coefficient k of K p^n, a product of penetrations and, for a rooted law, their root.
-double RegularContact::spring_term(int k) {
-  penetration_.set(k, penetration_term(k));
+/// Coefficient k of p^n / p, a root, a penetration or their product.
+double RegularContact::factor_term(int k) {
   if (k == 0) {
     root_.set(0, std::sqrt(std::max(0.0, penetration_[0])));
+    twice_root_inverse_ = 0.5 / root_[0];
   } else if (power_.rooted() && !is_pace_) {
-    root_.set(k, (penetration_[k] - numerics::inner_square(root_, k)) / (2 * root_[0]));
+    root_.set(k, (penetration_[k] - numerics::inner_square(root_, k)) * twice_root_inverse_);
   }
-  const numerics::Series* product = power_.rooted() ? &root_ : &penetration_;
-  const auto times = static_cast<std::size_t>((power_.halves - 1) / 2);
-  for (std::size_t i = 0; i < times; ++i) {
-    products_[i].set(k, product_term(*product, penetration_, k));
-    product = &products_[i];
+  switch (power_.halves) {
+    case 2:
+      return k == 0 ? 1 : 0;
+    case 3:
+      return root_[k];
+    case 4:
+      return penetration_[k];
+    default:
+      return product_term(power_.rooted() ? root_ : penetration_, penetration_, k);
   }
-  return power_.factor * (*product)[k];
 }
 
-/// The force is S (1 + c p') n + mu S t with S = K p^n.
+/// The force is N n + mu S t with S = K p^n and N = S (1 + c p').
 Twin RegularContact::power_term(int k) {
-  const bool presses = mode_ == Mode::sprung, damped = presses && damping_[0] > 0;
-  if (!law_->annular) {
-    const double spring = spring_term(k);
-    load_.set(k, Twin{spring, 0});
-    const double damper = damped ? (damping_ * product_term(velocity_, load_, k))[0] : 0;
-    const double normal = presses ? spring + damper : 0;
+  const bool annular = law_->annular;
+  // Sums without the first and the last product: they need not wait for the newest coefficients.
+  Twin products{}, by_length{}, by_velocity{}, pressed{}, load{};
+  if (annular) {
+    for (int j = 1; j < k; ++j) {
+      const Twin normal = normal_[k - j];
+      products += factors_[j] * rates_[k - j];
+      by_length += length_[j] * normal;
+      by_velocity += velocity_[j] * normal;
+      pressed += pressed_[j] * normal;
+      load += spring_[j] * normal;
+    }
+    if (k == 0) {
+      normal_and_rate<false>(0);
+    } else {  // r n = d and r' = n . d'
+      const Twin normal = (distance_[k] - (by_length + length_[k] * normal_[0])) * inverse_length_;
+      normal_.set(k, normal);
+      length_rate_.set(k, numerics::sum_of(by_velocity + velocity_[k] * normal_[0] + velocity_[0] * normal));
+    }
+  } else {
+    products = numerics::sum_of_products(factors_, rates_, k, 1, k - 1);
+  }
+  penetration_.set(k, penetration_term(k));
+  closing_.set(k, annular ? length_rate_.number(k) : velocity_[k][0]);
+  const Twin newest{penetration_[k], closing_[k]};
+  rates_.set(k, newest);
+  const double factor = factor_term(k);
+  const Twin first = k == 0 ? Twin{factor, 0} : factors_[0];
+  double spring = products[0] + first[0] * newest[0] + (k > 0 ? factor * rates_[0][0] : 0);
+  spring *= power_.factor;
+  factors_.set(k, Twin{factor, spring});
+  double damper = products[1] + spring * rates_[0][1] + (k > 0 ? first[1] * newest[1] : 0);
+  const double normal = mode_ == Mode::sprung ? spring + damping_ * damper : 0;
+  if (!annular) {
     if (!varies_) return Twin{normal, constant_mu_ * spring};
+    load_.set(k, Twin{spring, 0});
     sliding_.set(k, velocity_[k][1]);
     add_slip_term(slip_term(k), k);
     return Twin{normal, product_term(mu_, load_, k)[0]};
   }
-  normal_and_rate<false>(k);
-  spring_.set(k, both(spring_term(k)));
-  const Twin load = product_term(spring_, normal_, k);
+  pressed_.set(k, normal);
+  spring_.set(k, spring);
+  pressed += pressed_[k] * normal_[0];
+  load += spring_[k] * normal_[0];
+  if (k > 0) {
+    pressed += pressed_[0] * normal_[k];
+    load += spring_[0] * normal_[k];
+  }
+  if (!varies_) return pressed + turned_mu_ * numerics::swapped(load);
   load_.set(k, load);
-  Twin force = presses ? load : Twin{};
-  if (damped) force += damping_ * product_term(length_rate_, load_, k);
-  if (!varies_) return force + turned_mu_ * numerics::swapped(load);
   add_sliding_term(k);
   add_slip_term(slip_term(k), k);
-  return force + numerics::quarter_turned(product_term(mu_, load_, k));
-}
-
-void RegularContact::advance(int k, const numerics::Series* pace) {
-  const double next = numerics::one_over(k + 1);
-  if (law_->annular) {
-    double rate = pace ? 0 : length_rate_.number(k);
-    for (int j = 0; pace && j <= k; ++j) rate += length_rate_.number(j) * (*pace)[k - j];
-    length_.set(k + 1, rate * next);
-  }
-  if (is_pace_) root_.set(k + 1, closing_term(k) * next / 2);
+  return pressed + numerics::quarter_turned(product_term(mu_, load_, k));
 }
 
 }  // namespace rubsweep::integrate::taylor

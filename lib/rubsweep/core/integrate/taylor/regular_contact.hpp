@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include "rubsweep/core/contact/curved_law.hpp"
@@ -14,14 +13,21 @@ struct PowerLaw {
   int halves = 0;     ///< 2 n; 0 for any other law
   double factor = 0;  ///< K, in newtons
 
-  PowerLaw(const contact::CurvedLaw* law, double length_m);
+  PowerLaw(const contact::CurvedLaw* law, double length_m) {
+    if (!law || law->law().kind != model::ForceCurve::power) return;
+    const double exponent = law->law().exponent;
+    if (2 * exponent != std::floor(2 * exponent)) return;
+    halves = static_cast<int>(2 * exponent);
+    factor = law->law().stiffness_n_per_m_n * std::pow(length_m, exponent);
+  }
 
   /// Whether the root of the penetration, but not the penetration itself, has a power series where the
   /// contact begins.
   bool rooted() const { return halves % 2 == 1; }
-  double force_n(double penetration) const { return factor * std::pow(penetration, halves / 2.0); }
+  double force_n(double penetration) const { return slope(penetration) * penetration * 2 / halves; }
   double slope(double penetration) const {
-    return factor * halves / 2 * std::pow(penetration, halves / 2.0 - 1);
+    const double root = rooted() ? std::sqrt(penetration) : 1;
+    return factor * halves / 2 * root * numerics::power(penetration, halves / 2 - 1);
   }
 };
 
@@ -31,37 +37,40 @@ class RegularContact : public ContactSeries {
  public:
   explicit RegularContact(const PowerLaw& power) : power_(power) {}
 
-  /// Sets coefficient k of the relative displacement, offset included, and of its rate.
-  void set_motion(int k, numerics::Twin distance, numerics::Twin velocity) {
-    distance_.set(k, distance);
-    velocity_.set(k, velocity);
-  }
+  // Set coefficient k of the relative displacement, offset included, and of its rate.
+  void set_distance(int k, numerics::Twin distance) { distance_.set(k, distance); }
+  void set_velocity(int k, numerics::Twin velocity) { velocity_.set(k, velocity); }
   /// After `begin`: the c of the force K p^n (1 + c p') of the present impact, and whether the root of the
   /// penetration is the pace.
-  void begin_power(double damping, bool is_pace) {
-    damping_ = numerics::both(damping);
-    is_pace_ = is_pace;
-  }
+  void begin_power(double damping, bool is_pace) { damping_ = damping, is_pace_ = is_pace; }
   /// Coefficient k of the force, as ContactSeries::force_term.
   numerics::Twin power_term(int k);
   /// Computes coefficient k + 1 of r, and of the root if it is the pace. `pace` is known up to k; null: 1.
-  void advance(int k, const numerics::Series* pace);
+  void advance(int k, const numerics::Series* pace) {
+    const double next = numerics::one_over(k + 1);
+    if (law_->annular) length_.set(k + 1, (pace ? product_term(closing_, *pace, k) : closing_[k]) * next);
+    if (is_pace_) root_.set(k + 1, closing_[k] * next / 2);
+  }
 
   const PowerLaw& power() const { return power_; }
   const numerics::Series& root() const { return root_; }
   bool is_pace() const { return is_pace_; }
-  double closing_term(int k) const { return law_->annular ? length_rate_.number(k) : velocity_[k][0]; }
-  double impact_damping() const { return damping_[0]; }
+  double closing_term(int k) const { return closing_[k]; }
+  double impact_damping() const { return damping_; }
+  /// Coefficient k of S' and of the elastic force S, after `power_term`.
+  numerics::Twin elastic_term(int k) const {
+    return numerics::Twin{power_.factor * power_.halves / 2, 1} * factors_[k];
+  }
 
  private:
-  double spring_term(int k);
+  double factor_term(int k);
 
   PowerLaw power_;
   bool is_pace_ = false;
-  numerics::Twin damping_{};
-  numerics::Series penetration_, root_;
-  std::array<numerics::Series, 2> products_;  ///< up to the power of the penetration
-  numerics::PlaneSeries spring_;              ///< elastic force
+  double damping_ = 0, twice_root_inverse_ = 0;
+  numerics::Series penetration_, root_, closing_;
+  /// (p^n / p, S) and (p, p'): factors that are multiplied side by side. N and S at an annular stop.
+  numerics::PlaneSeries factors_, rates_, pressed_, spring_;
 };
 
 }  // namespace rubsweep::integrate::taylor

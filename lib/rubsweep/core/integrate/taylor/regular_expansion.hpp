@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,10 +9,9 @@
 
 #include "rubsweep/core/integrate/law/dynamics.hpp"
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
-#include "rubsweep/core/integrate/taylor/contact_directions.hpp"
-#include "rubsweep/core/integrate/taylor/contact_law.hpp"
 #include "rubsweep/core/integrate/taylor/guard_search.hpp"
 #include "rubsweep/core/integrate/taylor/regular_contact.hpp"
+#include "rubsweep/core/integrate/taylor/regular_series.hpp"
 #include "rubsweep/core/integrate/taylor/regular_time.hpp"
 #include "rubsweep/core/integrate/taylor/step_length.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
@@ -35,8 +33,7 @@ class RegularExpansion {
         accuracy_(accuracy),
         structure_rate_(
             numerics::dense::spectral_radius(numerics::generator_of(system.stiffness, system.damping))),
-        state_(2 * system.coordinates() + 2, order + 1),
-        rate_(state_.rows(), order) {
+        series_(system) {
     for (const auto& contact : system.contacts) {
       laws_.emplace_back(contact);
       contacts_.emplace_back(PowerLaw(contact.law.get(), contact.length_m));
@@ -49,14 +46,12 @@ class RegularExpansion {
   }
 
   /// Expands from `state` (u then u') and its rate with the modes, slips and dampings of `law`. False where
-  /// there is no such series: a contact sticks, obeys another law, touches without closing, or two contacts
-  /// are near their beginning or end.
+  /// there is no such series: a contact sticks, obeys another law, touches without closing, two contacts are
+  /// near their beginning or end, or the number of coordinates is odd.
   template <class State>
   bool expand(const State& state, const State& rate, double phase_rad, const law::Dynamics<N, false>& law) {
-    const Eigen::Index n = system_.coordinates();
-    state_.col(0).head(2 * n) = Eigen::Map<const Eigen::VectorXd>(&state[0], 2 * n);
-    state_(2 * n, 0) = std::cos(phase_rad);
-    state_(2 * n + 1, 0) = std::sin(phase_rad);
+    if (system_.coordinates() % 2 != 0) return false;
+    series_.begin(&state[0], numerics::Twin{std::cos(phase_rad), std::sin(phase_rad)});
     start_pulses(phase_rad, law.pulses());
     if (!begin_contacts(state, rate, law)) return false;
     for (int k = 0; k < order; ++k) {
@@ -65,23 +60,22 @@ class RegularExpansion {
       advance(k);
     }
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const int made = contacts_[i].mode() == contact::Mode::open ? 0 : order;
-      for (int k = made; k <= order; ++k)
-        put_motion(i, k, state_.col(k).head(n), state_.col(k).segment(n, n));
+      const bool open = contacts_[i].mode() == contact::Mode::open;
+      for (int k = open ? 0 : order; k <= order; ++k) put_distance(i, k);
+      if (open)
+        contacts_[i].make_open_penetration(order);
+      else
+        put_velocity(i, order);
     }
     return true;
   }
 
   /// The longest s over which the series are accurate.
   double converged() {
-    const Eigen::Index n = system_.coordinates();
-    const auto size = [&](Eigen::Index row, int k) {
-      return state_.col(k).segment(row, n).template lpNorm<Eigen::Infinity>();
-    };
-    const double length = std::max(1.0, size(0, 0)), speed = std::max(1.0, size(n, 0));
+    const double length = std::max(1.0, series_.size(0, 0)), speed = std::max(1.0, series_.size(1, 0));
     double longest = longest_parameter;
     for (int k = order - most_gap; k <= order; ++k) {
-      const double term = std::max(size(0, k) / length, size(n, k) / speed),
+      const double term = std::max(series_.size(0, k) / length, series_.size(1, k) / speed),
                    largest = largest_term_[static_cast<std::size_t>(k)];
       if (!std::isfinite(term)) return 0;
       longest = numerics::longest_below(longest, term, k, largest);
@@ -106,17 +100,34 @@ class RegularExpansion {
   };
   bool find_event(double& end, Event& event) {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const bool open = contacts_[i].mode() == contact::Mode::open;
-      if (open) {
-        if (const auto crossing = first_guard(contacts_[i], order, accuracy_, end)) {
-          if (crossing->share == 0) return false;
-          end *= crossing->share;
-          event = {i, crossing->next};
-        }
-      } else if (!find_end_of_mode(i, end, event)) {
-        return false;
+      RegularContact& contact = contacts_[i];
+      // Whether the guard is not past zero at the start; its first rise becomes the event.
+      const auto look = [&](contact::Mode next, const auto& term) {
+        std::array<double, std::size_t{order}> guard;
+        double power = 1;
+        for (int k = 0; k < order; ++k, power *= end) guard[static_cast<std::size_t>(k)] = power * term(k);
+        const auto rise = first_rise(guard, accuracy_);
+        if (!rise) return true;
+        end *= *rise;
+        event = {i, next};
+        return *rise > 0;
+      };
+      if (contact.mode() == contact::Mode::open) {
+        if (!look(contact::Mode::sprung, [&](int k) { return contact.penetration_term(k); })) return false;
+        continue;
       }
-      const double share = open ? 1 : saturated_share(contacts_[i], order, end);
+      const bool opens = look(contact::Mode::open, [&](int k) {
+        return contact.is_pace() ? -contact.root()[k] : -contact.penetration_term(k);
+      });
+      if (!opens) return false;
+      const double damping = contact.impact_damping();
+      const bool released = contact.mode() == contact::Mode::released;
+      const double sign = released ? 1 : -1;
+      if (damping > 0 && !look(released ? contact::Mode::sprung : contact::Mode::released, [&](int k) {
+            return sign * ((k == 0 ? 1 : 0) + damping * contact.closing_term(k));
+          }))
+        return false;
+      const double share = saturated_share(contact, order, end);
       if (share < 1) event = {};
       end *= share;
     }
@@ -124,19 +135,15 @@ class RegularExpansion {
   }
 
   const RegularTime& time() const { return time_; }
+  const numerics::Series* pace() const { return pacer_ ? &time_.pace : nullptr; }  ///< null: s is the phase
+  const std::vector<std::size_t>& touching() const { return touching_; }
+  RegularContact& contact(std::size_t i) { return contacts_[i]; }
 
   /// Writes u then u' at s.
-  void put_state(double s, double* to) const {
-    Column sum = state_.col(order);
-    for (int k = order - 1; k >= 0; --k) sum = sum * s + state_.col(k);
-    Eigen::Map<Eigen::VectorXd>(to, sum.size() - 2) = sum.head(sum.size() - 2);
-  }
+  void put_state(double s, double* to) const { series_.put_state(s, order, to); }
 
  private:
-  using Vector = Eigen::Matrix<double, N, 1>;
-  static constexpr int order = numerics::most_taylor_order;
-  static constexpr int rows = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N + 2;
-  using Column = Eigen::Matrix<double, rows, 1>;
+  static constexpr int order = RegularSeries<N>::order;
   /// Without other forces, only each fifth term (with n = 2.5 each seventh) of a series is not zero.
   static constexpr int most_gap = 6;
   static constexpr double longest_parameter = 1e6;
@@ -184,54 +191,38 @@ class RegularExpansion {
            2 * square * p > share * share * std::abs(k.closing_acceleration);
   }
 
-  void put_motion(std::size_t i, int k, const Vector& u, const Vector& v) {
+  void put_distance(std::size_t i, int k) {
     const auto& c = system_.contacts[i];
-    numerics::Twin distance = at_contact(c, u);
-    if (k == 0) distance += numerics::Twin{c.offset[0], c.offset[1]};
-    contacts_[i].set_motion(k, distance, at_contact(c, v));
+    const numerics::Twin distance = series_.distance(c, k);
+    contacts_[i].set_distance(k, k == 0 ? distance + numerics::Twin{c.offset[0], c.offset[1]} : distance);
+  }
+  void put_velocity(std::size_t i, int k) {
+    contacts_[i].set_velocity(k, series_.velocity(system_.contacts[i], k));
   }
 
-  /// Computes coefficient k of the rates by the phase, of the states and of cosine and sine of the phase.
+  /// Computes coefficient k of the rates by the phase.
   void make_rate(int k) {
-    const Eigen::Index n = system_.coordinates();
-    const Vector u = state_.col(k).head(n), v = state_.col(k).segment(n, n);
-    const double cosine = state_(2 * n, k), sine = state_(2 * n + 1, k);
-    Vector acceleration;
-    if (system_.diagonal) {
-      acceleration = -system_.stiffness_diagonal.cwiseProduct(u) - system_.damping_diagonal.cwiseProduct(v);
-    } else {
-      acceleration.noalias() = -system_.stiffness * u;
-      acceleration.noalias() -= system_.damping * v;
-    }
-    if (k == 0) acceleration += system_.constant;
-    acceleration += system_.cosine * cosine + system_.sine * sine;
-    for (const ActingPulse& pulse : pulses_) acceleration += system_.pulses[pulse.index].top * pulse.sine[k];
+    series_.begin_rate(k);
+    for (const ActingPulse& pulse : pulses_)
+      series_.acceleration(k) += system_.pulses[pulse.index].top * pulse.sine[k];
     for (const std::size_t i : touching_) {
-      const run::ScaledContact<N>& c = system_.contacts[i];
-      put_motion(i, k, u, v);
-      const numerics::Twin force = contacts_[i].power_term(k);
-      acceleration += c.first_push * force[0] + c.second_push * force[1];
+      put_distance(i, k);
+      put_velocity(i, k);
+      series_.push(system_.contacts[i], k, contacts_[i].power_term(k));
     }
-    rate_.col(k).head(n) = v;
-    rate_.col(k).segment(n, n) = acceleration;
-    rate_(2 * n, k) = -sine;
-    rate_(2 * n + 1, k) = cosine;
   }
 
   /// Computes coefficient k of the pace, then coefficient k + 1 of everything whose rate is known.
   void advance(int k) {
     time_.pace.set(k, pacer_ ? pacer_->root()[k] : k == 0 ? 1 : 0);
-    const double next = numerics::one_over(k + 1);
-    Column sum = time_.pace[0] * rate_.col(k);
-    for (int j = 0; j < k && pacer_; ++j) sum += time_.pace[k - j] * rate_.col(j);
-    state_.col(k + 1) = sum * next;
+    series_.advance(k, pace());
     for (ActingPulse& pulse : pulses_) {
-      const double by = system_.pulses[pulse.index].rate * next;
+      const double by = system_.pulses[pulse.index].rate * numerics::one_over(k + 1);
       const double sine = by * numerics::product_term(time_.pace, pulse.cosine, k);
       pulse.cosine.set(k + 1, -by * numerics::product_term(time_.pace, pulse.sine, k));
       pulse.sine.set(k + 1, sine);
     }
-    for (const std::size_t i : touching_) contacts_[i].advance(k, pacer_ ? &time_.pace : nullptr);
+    for (const std::size_t i : touching_) contacts_[i].advance(k, pace());
   }
 
   /// Fastest rate per radian of the structure with the touching contacts, up to s = `end`.
@@ -247,30 +238,6 @@ class RegularExpansion {
     return std::max(linear, std::sqrt(square));
   }
 
-  /// Looks for the end of a touching contact's mode, as `find_event`.
-  bool find_end_of_mode(std::size_t i, double& end, Event& event) {
-    const RegularContact& contact = contacts_[i];
-    const auto look = [&](contact::Mode next, const auto& term) {
-      std::array<double, order> guard{};
-      double power = 1;
-      for (int k = 0; k < order; ++k, power *= end) guard[static_cast<std::size_t>(k)] = power * term(k);
-      const auto rise = first_rise(guard, accuracy_);
-      if (!rise) return true;
-      if (*rise == 0) return false;
-      end *= *rise;
-      event = {i, next};
-      return true;
-    };
-    const bool opens = look(contact::Mode::open, [&](int k) {
-      return contact.is_pace() ? -contact.root()[k] : -contact.penetration_term(k);
-    });
-    if (!opens || contact.impact_damping() == 0) return opens;
-    const double sign = contact.mode() == contact::Mode::released ? 1 : -1;
-    return look(sign > 0 ? contact::Mode::sprung : contact::Mode::released, [&](int k) {
-      return sign * ((k == 0 ? 1 : 0) + contact.impact_damping() * contact.closing_term(k));
-    });
-  }
-
   struct ActingPulse {
     std::size_t index = 0;
     numerics::Series sine, cosine;
@@ -279,15 +246,14 @@ class RegularExpansion {
   const run::ScaledSystem<N>& system_;
   double accuracy_, structure_rate_;
   /// Largest term k of a converged series: the accuracy for the last two, as much by their growth for others.
-  std::array<double, order + 1> largest_term_{};
+  std::array<double, std::size_t{order} + 1> largest_term_{};
   std::vector<ContactLaw> laws_;
   std::vector<RegularContact> contacts_;
   std::vector<std::size_t> touching_;
   const RegularContact* pacer_ = nullptr;  ///< contact whose root is the pace; null: the pace is 1
   std::vector<ActingPulse> pulses_;
   RegularTime time_;
-  Eigen::Matrix<double, rows, order + 1> state_;  ///< coefficients of u, u', cosine and sine of the phase
-  Eigen::Matrix<double, rows, order> rate_;       ///< coefficients of the rates by the phase
+  RegularSeries<N> series_;
 };
 
 }  // namespace rubsweep::integrate::taylor

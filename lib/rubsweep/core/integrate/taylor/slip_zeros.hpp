@@ -21,6 +21,12 @@ class SlipZeros {
   /// Clears all: after a piece, or after entering all contacts anew, no slip starts from zero.
   void clear() { std::ranges::fill(terms_, 0); }
 
+  /// Sets them after all contacts have entered their modes and slips by `state`.
+  template <class Dynamics, class State>
+  void enter(const Dynamics& dynamics, const State& state) {
+    for (std::size_t i = 0; i < terms_.size(); ++i) terms_[i] = begins_to_slip(dynamics, i, state) ? 1 : 0;
+  }
+
   /// Handles contact `i` whose slip has reached zero: decides which contacts stick from now on. The slips of
   /// contacts that continue to slip start from zero. `scratch` takes a rate of the state.
   template <class Dynamics, class State>

@@ -12,7 +12,6 @@
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/integrate/taylor/contact_directions.hpp"
 #include "rubsweep/core/integrate/taylor/contact_tangent.hpp"
-#include "rubsweep/core/integrate/taylor/creep_tangent.hpp"
 #include "rubsweep/core/integrate/taylor/expand_in_registers.hpp"
 #include "rubsweep/core/integrate/taylor/expansion.hpp"
 #include "rubsweep/core/integrate/taylor/tangent_convergence.hpp"

@@ -8,7 +8,7 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Order up to which each of `Count` tangent vectors is summed: until two successive terms are at most
+/// Order up to which each of `Count` tangent vectors is summed: until `wanted` successive terms are at most
 /// `accuracy` times its largest terms, in displacements and in rates.
 template <int Count>
 class TangentConvergence {
@@ -17,8 +17,11 @@ class TangentConvergence {
   using Sizes = Eigen::Array<double, 1, Count>;
 
   /// Starts with the sizes at the start of the vectors.
-  TangentConvergence(double accuracy, Sizes displacement, Sizes rate)
-      : accuracy_(accuracy), displacement_(std::move(displacement)), rate_(std::move(rate)) {}
+  TangentConvergence(double accuracy, Sizes displacement, Sizes rate, int wanted = 2)
+      : accuracy_(accuracy),
+        wanted_(wanted),
+        displacement_(std::move(displacement)),
+        rate_(std::move(rate)) {}
 
   /// Adds the terms of order `k`; call it in order of k.
   void add(int k, const Sizes& displacement, const Sizes& rate) {
@@ -31,7 +34,7 @@ class TangentConvergence {
       const bool small = displacement(column) <= accuracy_ * displacement_(column) &&
                          rate(column) <= accuracy_ * rate_(column);
       small_in_a_row_[i] = small ? small_in_a_row_[i] + 1 : 0;
-      if (small_in_a_row_[i] < 2 || orders_[i] > 0) continue;
+      if (small_in_a_row_[i] < wanted_ || orders_[i] > 0) continue;
       orders_[i] = k;
       --left_;
     }
@@ -43,6 +46,7 @@ class TangentConvergence {
 
  private:
   double accuracy_;
+  int wanted_;
   Sizes displacement_, rate_;  ///< largest terms so far
   std::array<int, static_cast<std::size_t>(Count)> small_in_a_row_{}, orders_{};
   int left_ = Count;
