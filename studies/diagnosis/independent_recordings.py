@@ -3,13 +3,14 @@
 
 Usage: independent_recordings.py DIRECTORY COUNT SEED
 
-Writes up to COUNT recordings of rubs and COUNT of others, as NNNN.csv with its instrument NNNN.yaml; truth.csv
+Writes COUNT recordings of rubs and COUNT of others, as NNNN.csv with its instrument NNNN.yaml; truth.csv
 says what each is; machine_K.yaml describes the rotor by its first mode alone, with the errors of a fit. Four
 machines run at one speed each, a fifth at half its critical speed, so that the motions that rubdiagnose simulates
 serve many recordings. A rub has 3 % or more of its energy off +-1X and goes less deep than half its clearance.
 Needs NumPy. The same arguments give the same bytes on one computer.
 """
 
+import itertools
 import math
 import pathlib
 import sys
@@ -19,7 +20,7 @@ import numpy as np
 from independent_rotor import FOREIGN, RUBS, STEPS, Rotors
 
 MACHINES, RECORDED, SETTLING, EVERY = 5, 40, 160, 8
-CANDIDATES_A_RUB = 4  # runs for one recording of a rub: most do not touch, or rub synchronously
+RUNS_A_RUB = 9  # runs of a rub beside one of another cause: nine in ten do not touch, or rub synchronously
 BATCH = 400
 
 
@@ -157,14 +158,16 @@ def write_machine(path, machines, k, random):
         "whirl_ratio: {values: [0.3]}}\noutput: {directory: out}\n", encoding="ascii")
 
 
-def causes_of_all(count):
-    """Machine and cause of every run; a cracked shaft runs at half its critical speed, and a rotor without rub, too."""
-    runs = [(RUBS[k % 4], k // 4 % (MACHINES - 1)) for k in range(CANDIDATES_A_RUB * count)]
-    for k in range(count):
+def all_runs():
+    """Cause and machine of every run, without end; a cracked shaft and some rotors without rub run at half their
+    critical speed. Rubs and others take turns, so that the first recordings stand for all.
+    """
+    for k in itertools.count():
+        for i in range(RUNS_A_RUB * k, RUNS_A_RUB * (k + 1)):
+            yield RUBS[i % 4], i // 4 % (MACHINES - 1)
         cause = "no_rub" if k % 2 == 0 else FOREIGN[k // 2 % len(FOREIGN)]
         slow = cause == "cracked_shaft" or k % 16 == 0
-        runs.append((cause, MACHINES - 1 if slow else k // 3 % (MACHINES - 1)))
-    return runs
+        yield cause, MACHINES - 1 if slow else k // 3 % (MACHINES - 1)
 
 
 def main(directory, count, seed):
@@ -173,11 +176,11 @@ def main(directory, count, seed):
     machines = draw_machines(random)
     for k in range(MACHINES):
         write_machine(directory / f"machine_{k}.yaml", machines, k, random)
-    runs, kept = causes_of_all(count), dict.fromkeys(("rub", "other"), 0)
+    runs, kept = all_runs(), dict.fromkeys(("rub", "other"), 0)
     with open(directory / "truth.csv", "w", encoding="ascii") as truth:
         truth.write("recording,cause,machine,probes,off_1x,deepest,contact_share,wander\n")
-        for begin in range(0, len(runs), BATCH):
-            part = runs[begin:begin + BATCH]
+        while min(kept.values()) < count:
+            part = list(itertools.islice(runs, BATCH))
             causes, machine = [run[0] for run in part], np.array([run[1] for run in part])
             p = draw(random, machines, machine, causes)
             seen, angles, deepest, touched = Rotors(p, random).run(SETTLING, RECORDED, EVERY)
@@ -193,6 +196,7 @@ def main(directory, count, seed):
                 write(directory / f"{number:04}", cause, z, angles[i], p["speed_hz"][i], probes, random)
                 truth.write(f"{number:04},{cause},{machine[i]},{probes},{off:.4g},{deepest[i]:.4g},"
                             f"{touched[i]:.4g},{p['wander'][i]:.3g}\n")
+            truth.flush()
     print(f"{kept['rub']} rubs, {kept['other']} others in {directory}")
 
 

@@ -68,6 +68,7 @@ diagnose::inference::DiagnosisProblem problem_of(const StudiedMachine& machine, 
   problem.measuring.probes = machine.probes;
   problem.measuring.readings_per_turn = machine.sampling_rate_hz / problem.speed_hz;
   problem.seed = seed;
+  problem.measuring.natural_order = 1 / machine.speed_ratio;
   tell_machine(machine, problem.candidates, random);
   return problem;
 }

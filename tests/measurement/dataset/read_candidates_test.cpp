@@ -101,14 +101,14 @@ std::string refused(const std::string& text) {
   return "none";
 }
 
-TEST(ReadCandidates, UsualListHasEveryCauseAndEqualShares) {
+TEST(ReadCandidates, UsualListHasEveryCauseAndNoRubAsLikelyAsAllRubs) {
   const CandidateFile usual = usual_candidate_file();
   ASSERT_EQ(usual.candidates.size(), diagnose::all_causes.size());
   for (std::size_t c = 0; c < usual.candidates.size(); ++c) {
     EXPECT_EQ(usual.candidates[c].cause, diagnose::all_causes[c]);
     EXPECT_GT(usual.candidates[c].clearance_m.low, 0);
     EXPECT_GT(usual.candidates[c].clearance_m.high, usual.candidates[c].clearance_m.low);
-    EXPECT_DOUBLE_EQ(usual.prior[c], 0.2);
+    EXPECT_DOUBLE_EQ(usual.prior[c], c == 0 ? 0.5 : 0.125);
   }
 }
 
@@ -244,7 +244,7 @@ TEST(ReadCandidatesReadMeasurement, OfASetHasLengthRateAndProbes) {
 TEST(ReadCandidatesReadMeasurement, OfADiagnosisHasDisturbancesAlone) {
   diagnose::Measuring measuring;
   ASSERT_EQ(read_known("measurement: {noise_share: 0.01, backward_1x_share: 0.05, order_2_share: 0.02,\n"
-                       "  order_3_share: 0, gain_error: 0.1}\n",
+                       "  order_3_share: 0, gain_error: 0.1, free_vibration_share: 0.02}\n",
                        measuring),
             "none");
   EXPECT_EQ(measuring.noise_share.low, 0.01);
@@ -253,6 +253,7 @@ TEST(ReadCandidatesReadMeasurement, OfADiagnosisHasDisturbancesAlone) {
   EXPECT_EQ(measuring.other_lines.order_2, 0.02);
   EXPECT_EQ(measuring.other_lines.order_3, 0);
   EXPECT_EQ(measuring.gain_error, 0.1);
+  EXPECT_EQ(measuring.free_vibration, 0.02);
   // These keys are refused, because the recording itself provides the numbers.
   for (const char* key : {"turns: 40", "probes: 1", "sampling_rate_hz: 2000"})
     EXPECT_NE(read_known("measurement: {" + std::string(key) + "}\n", measuring), "none") << key;

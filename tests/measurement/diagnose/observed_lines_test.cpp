@@ -73,7 +73,8 @@ Measuring undisturbed(int probes) {
           .readings_per_turn = 1e12,
           .noise_share = {1e-9, 1e-9, true},
           .other_lines = {0, 0, 0},
-          .gain_error = 0};
+          .gain_error = 0,
+          .free_vibration = 0};
 }
 
 TEST(ObservedLines, HaveTheNoiseOfTheReadings) {
@@ -81,7 +82,8 @@ TEST(ObservedLines, HaveTheNoiseOfTheReadings) {
                             .readings_per_turn = 50,
                             .noise_share = {0.1, 0.1, true},
                             .other_lines = {0, 0, 0},
-                            .gain_error = 0};
+                            .gain_error = 0,
+                            .free_vibration = 0};
   double sum = 0, probe_angle_rad = 1;
   long count = 0;
   for (std::uint64_t k = 0; k < 50; ++k) {
@@ -119,8 +121,55 @@ TEST(ObservedLines, OfOneProbeWhoseDirectionIsKnownAreThoseInIt) {
   EXPECT_LT(std::abs(seen.at(20) - std::polar(0.5, -0.7)), 1e-6);
 }
 
+TEST(ObservedLines, HaveASmallFreeVibrationAtTheNaturalFrequencyInHalfOfTheCases) {
+  Measuring measuring = undisturbed(2);
+  measuring.free_vibration = 0.01;
+  measuring.natural_order = 7.3 / 20;
+  int natural = 0, visible = 0;
+  double probe_angle_rad = 0;
+  constexpr int draws = 400;
+  for (std::uint64_t k = 0; k < draws; ++k) {
+    RandomStream random(6, k, 2);
+    MotionLines seen = observed(circle(), measuring, random, probe_angle_rad);
+    seen.at(20) = 0;
+    int strongest = 0;
+    for (int j = -seen.last(); j <= seen.last(); ++j)
+      if (std::abs(seen.at(j)) > std::abs(seen.at(strongest))) strongest = j;
+    EXPECT_LT(size_of(seen), 0.01 * (1 + 1e-6));
+    visible += size_of(seen) > 1e-3 ? 1 : 0;
+    natural += std::abs(strongest) == 7 || std::abs(strongest) == 8 ? 1 : 0;
+  }
+  // A third of the amplitudes is above a tenth of the largest; decay makes some of them smaller.
+  EXPECT_NEAR(visible, draws / 4, draws / 10);
+  EXPECT_NEAR(natural, draws / 2, draws / 12);
+}
+
+TEST(ObservedLines, DecayAsAFreeVibrationDoes) {
+  // Over thirds of the recorded turns, the energy of an exponential has a geometric mean in the middle.
+  Measuring measuring = undisturbed(2);
+  measuring.free_vibration = 0.01;
+  measuring.natural_order = 7.3 / 20;
+  response::spectrum::SpectrumWorkspace workspace;
+  double probe_angle_rad = 0, mean = 0;
+  int checked = 0;
+  for (std::uint64_t k = 0; k < 400; ++k) {
+    RandomStream random(7, k, 2);
+    MotionLines seen = observed(circle(), measuring, random, probe_angle_rad);
+    seen.at(20) -= 1;
+    const Eigen::VectorXcd z = waveform_of(seen, 32, workspace);
+    const auto energy = [&](int from) { return z.segment(from, 192).squaredNorm(); };
+    if (std::abs(seen.at(7)) + std::abs(seen.at(-7)) < 0.4 * size_of(seen) || size_of(seen) < 1e-4) continue;
+    const double early = energy(32), middle = energy(224), late = energy(416);
+    EXPECT_LT(late, 1.1 * early) << k;
+    mean += std::log(middle * middle / (early * late));
+    ++checked;
+  }
+  EXPECT_GT(checked, 60);
+  EXPECT_NEAR(mean / checked, 0, 0.05);
+}
+
 TEST(ObservedLines, CountFromAPlaceOfRestThatIsKnownNearly) {
-  Measuring measuring{.readings_per_turn = 50, .from_rest = true};
+  Measuring measuring{.readings_per_turn = 50, .from_rest = true, .free_vibration = 0};
   double square = 0, probe_angle_rad = 0;
   constexpr int draws = 400;
   for (std::uint64_t k = 0; k < draws; ++k) {

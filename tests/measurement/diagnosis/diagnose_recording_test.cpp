@@ -104,5 +104,33 @@ TEST(DiagnoseRecording, ACircleIsNoRubAndKeptMotionsGiveTheSameAnswer) {
     EXPECT_EQ(first->candidates[k].probability, second->candidates[k].probability);
 }
 
+/// Probability of no rub against one flat stop, for a circle with a small free vibration that no rub caused.
+double probability_of_no_rub(double share, double free_vibration_of_cases) {
+  const MachineFile file;
+  constexpr double speed_hz = 82, order = 30.1 / speed_hz;
+  recording::Recording recording = circle(30, speed_hz);
+  for (std::size_t k = 0; k < recording.displacement_m.size(); ++k) {
+    const double turns = static_cast<double>(k) / recording::samples_per_revolution;
+    recording.displacement_m[k] +=
+        std::polar(share * 2e-5 * std::exp(-0.02 * turns), 2 * std::numbers::pi * order * turns);
+  }
+  DiagnosisQuestions questions{.name = "run.csv", .machine = file.path};
+  questions.candidates.candidates.resize(2);
+  questions.candidates.prior = {0.5, 0.5};
+  questions.candidates.measuring.free_vibration = free_vibration_of_cases;
+  const auto answer =
+      diagnose_recording(std::move(recording), two_probes, questions, {.motions = 120, .rounds = 0});
+  for (const diagnose::answer::CandidateAnswer& candidate : answer->candidates)
+    if (candidate.name == "no_rub") return candidate.probability;
+  return 0;
+}
+
+TEST(DiagnoseRecording, ASmallFreeVibrationIsNoRub) {
+  EXPECT_GT(probability_of_no_rub(5e-3, 0.01), 0.7);
+  EXPECT_LT(probability_of_no_rub(5e-3, 0), 0.6);
+  // A vibration of 10 % is larger than what is left of a start.
+  EXPECT_LT(probability_of_no_rub(0.1, 0.01), 0.3);
+}
+
 }  // namespace
 }  // namespace rubsweep::diagnosis

@@ -157,13 +157,15 @@ rubsweep::dataset::Measurement read_measurement(const yaml::Value& value) {
 void read_measuring(const yaml::Value& value, diagnose::Measuring& measuring) {
   yaml::Section section(value);
   read_disturbances(section, measuring.noise_share, measuring.other_lines, measuring.gain_error);
+  section.field("free_vibration_share", measuring.free_vibration, any_share);
   section.refuse_unknown_keys();
 }
 
 CandidateFile usual_candidate_file() {
   CandidateFile file{.candidates = diagnose::usual_candidates()};
   for (diagnose::Candidate& candidate : file.candidates) candidate.clearance_m = usual_clearance_m;
-  file.prior.assign(file.candidates.size(), 1.0 / static_cast<double>(file.candidates.size()));
+  file.prior.assign(file.candidates.size(), 0.5 / static_cast<double>(file.candidates.size() - 1));
+  file.prior.front() = 0.5;
   return file;
 }
 

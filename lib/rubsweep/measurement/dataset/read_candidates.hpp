@@ -20,11 +20,11 @@ void read_spread(yaml::Section& section, std::string_view name, const model::Ran
                  diagnose::Spread& target);
 
 /// Reads how the motions of a data set are measured: turns, sampling_rate_hz, probes, and the keys of
-/// read_measuring.
+/// read_measuring without free_vibration_share.
 rubsweep::dataset::Measurement read_measurement(const yaml::Value& value);
 
 /// Reads the prior knowledge of noise, lines of other origin and probe gains: noise_share, backward_1x_share,
-/// order_2_share, order_3_share, gain_error.
+/// order_2_share, order_3_share, gain_error, free_vibration_share.
 void read_measuring(const yaml::Value& value, diagnose::Measuring& measuring);
 
 /// Candidates of a diagnosis, and the prior knowledge of the measurement.
@@ -36,7 +36,7 @@ struct CandidateFile {
   diagnose::Measuring measuring{};                   ///< probes and readings come from the recording
 };
 
-CandidateFile usual_candidate_file();  ///< The usual candidates with equal probabilities.
+CandidateFile usual_candidate_file();  ///< The usual candidates: no rub as likely as all rubs together.
 
 /// Reads clearance_m, eccentricity_m, candidates, prior and measurement; a missing key has its usual value.
 /// `name` stands for the file in messages. Throws ConfigError with every problem.

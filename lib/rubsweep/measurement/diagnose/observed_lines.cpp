@@ -58,6 +58,26 @@ std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, 
   return drawn;
 }
 
+/// Adds a vibration that decays: at the natural frequency, or, in half of the cases, at any order. It is an
+/// ellipse of any form. Its amplitude is uniform in the logarithm, down to a thousandth of the largest.
+void add_free_vibration(const Measuring& measuring, double size, RandomStream& random, MotionLines& seen) {
+  constexpr double decades = 3, uncertainty = 0.02, slowest = 0.1, fastest = 5, most_decay = 3;
+  const double amplitude = size * measuring.free_vibration * std::pow(10, -decades * random.uniform());
+  const bool natural = measuring.natural_order > 0 && random.uniform() < 0.5;
+  const double unit = random.uniform(),
+               order = natural ? measuring.natural_order * (1 + uncertainty * (2 * unit - 1))
+                               : slowest * std::pow(fastest / slowest, unit),
+               form = 2 * pi * random.uniform(), decay = most_decay * (1 - random.uniform());
+  for (const double side : {order, -order}) {
+    const Complex start =
+        std::polar(amplitude * (side > 0 ? std::cos(form) : std::sin(form)), 2 * pi * random.uniform());
+    const Complex rate(-decay, 2 * pi * side * seen.turns);  // per recording
+    // A line is the mean of start exp((rate - 2 pi i k) s) over s from 0 to 1.
+    for (int k = -seen.last(); k <= seen.last(); ++k)
+      seen.at(k) += start * (std::exp(rate) - 1.0) / (rate - Complex(0, 2 * pi * k));
+  }
+}
+
 }  // namespace
 
 MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, double largest_order,
@@ -112,6 +132,7 @@ MotionLines observed(const MotionLines& motion, const Measuring& measuring, Rand
   MotionLines seen = motion;
   for (const OtherLine& line : draw_other_lines(measuring.other_lines, size, random))
     if (std::abs(line.order) * seen.turns <= seen.last()) seen.at(line.order * seen.turns) += line.amplitude;
+  add_free_vibration(measuring, size, random, seen);
   const double noise = size * value_at(measuring.noise_share, random.uniform());
   const double x_gain = 1 + measuring.gain_error * random.normal(),
                y_gain = 1 + measuring.gain_error * random.normal();

@@ -84,6 +84,8 @@ RecordedProblem recorded_problem(DiagnosedMachine machine, recording::Recording 
   problem.measuring.probe_angle_rad = instrument.probes.front().angle_deg * std::numbers::pi / 180;
   problem.measuring.from_rest = recorded.recording.from_rest;
   tell_machine(machine, questions.list, problem.candidates);
+  const auto& [low_hz, high_hz, logarithmic] = machine.natural_frequency_hz;
+  problem.measuring.natural_order = (low_hz + high_hz) / 2 / recorded.recording.mean_speed_hz();
   return recorded;
 }
 
@@ -133,11 +135,11 @@ std::optional<diagnose::answer::Answer> answer_of(const RecordedProblem& recorde
       diagnose::answer::answer_of(problem, diagnosis, seen, lines, std::move(facts), std::move(next));
   answer.interrupted = is_stopped(effort);
   const auto& probes = recorded.recording.probes;
-  const diagnose::Spread frequency_hz =
-      spread_of(problem.candidates.front(), diagnose::Unknown::natural_frequency);
+  const double speed_hz = recorded.recording.mean_speed_hz();
   answer.signs = diagnose::answer::foreign_signs(
-      lines, {.speed_hz = recorded.recording.mean_speed_hz(),
-              .natural_frequency_hz = (frequency_hz.low + frequency_hz.high) / 2,
+      lines, {.speed_hz = speed_hz,
+              .natural_frequency_hz = problem.measuring.natural_order * speed_hz,
+              .one_mode = problem.fixed.kit == nullptr,
               .probe_angle_deg = probes.size() == 2 ? std::optional(std::pair(probes.front().angle_deg,
                                                                               probes.back().angle_deg))
                                                     : std::nullopt});

@@ -41,6 +41,26 @@ std::vector<ForeignCause> causes(const MotionLines& motion, const ForeignQuestio
 
 using Causes = std::vector<ForeignCause>;
 
+TEST(ForeignCauseSigns, OfLinesFarAboveTheNaturalFrequencyIsASecondModeOfARotorThatHasOneModeHere) {
+  // Impacts every second turn that a mode at 65 Hz answers: lines at 3/2 and 5/2.
+  const auto rub = [](double phi) {
+    return 0.1 * std::polar(1.0, phi / 2) + 0.4 * std::polar(1.0, 1.5 * phi) +
+           0.3 * std::polar(1.0, -2.5 * phi);
+  };
+  ForeignQuestion question = two_probes();
+  question.natural_frequency_hz = 23;
+  EXPECT_EQ(causes(lines(rub), question), Causes{});
+  question.one_mode = true;
+  EXPECT_EQ(causes(lines(rub), question), Causes{ForeignCause::second_mode});
+  EXPECT_NEAR(foreign_signs(lines(rub), question)[0].order, 1.5, 0.02);
+  // One mode answers such impacts mostly at 1/2.
+  EXPECT_EQ(causes(lines([](double phi) {
+                     return 0.4 * std::polar(1.0, phi / 2) + 0.1 * std::polar(1.0, 1.5 * phi);
+                   }),
+                   question),
+            Causes{});
+}
+
 TEST(ForeignCauseSigns, ThereAreNoneWithoutLinesOff1X) {
   EXPECT_EQ(causes(lines([](double) { return 0; })), Causes{});
   EXPECT_EQ(causes(lines([](double phi) { return 0.03 * std::polar(1.0, 2 * phi); })), Causes{});

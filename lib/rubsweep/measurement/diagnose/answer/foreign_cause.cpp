@@ -50,6 +50,7 @@ class Rules {
     }
     add_whirls(add);
     add_bearing(add);
+    if (question_.one_mode) add_second_mode(add);
     std::ranges::stable_sort(signs, std::greater{}, &ForeignSign::share);
     return signs;
   }
@@ -129,6 +130,20 @@ class Rules {
     add(ForeignCause::bearing_fault, energy, order_);
   }
 
+  /// One mode, even stiffened by a contact, answers weakly so far above its natural frequency.
+  void add_second_mode(const auto& add) const {
+    constexpr double far_above = 2.2;
+    const double lowest = far_above * question_.natural_frequency_hz / question_.speed_hz * lines_.turns;
+    double energy = 0;
+    int best = 0;
+    for (int k = energy_.first(); k <= energy_.last(); ++k) {
+      if (std::abs(k) < lowest || !features::between_multiples(energy_, k, line_bins)) continue;
+      energy += energy_[k];
+      if (energy_[k] > energy_[best]) best = k;
+    }
+    if (best != 0) add(ForeignCause::second_mode, energy, features::order_of_line(energy_, best));
+  }
+
   /// Component of the motion along a direction at a whole order.
   Complex along(double direction_rad, int order) const {
     const Complex turned = std::polar(1.0, -direction_rad);
@@ -196,6 +211,8 @@ std::string_view words_for(ForeignCause cause) {
       return "a forward whirl at the natural frequency, as of an oil film, a seal or internal damping";
     case ForeignCause::bearing_fault:
       return "a line and its multiples that no fraction of the speed has, as of a faulty bearing";
+    case ForeignCause::second_mode:
+      return "lines far above the natural frequency, as of a second bending mode: try a rotor_kit";
   }
   throw SolverError("foreign cause: no such enumerator");
 }

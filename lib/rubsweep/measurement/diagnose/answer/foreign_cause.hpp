@@ -19,7 +19,8 @@ enum class ForeignCause {
   looseness,      ///< many multiples along one direction
   oil_whirl,      ///< forward at 0.38X to 0.495X
   self_excited,   ///< forward below 1X at the natural frequency
-  bearing_fault   ///< a line above 2X that belongs to no fraction, its multiples and their sidebands
+  bearing_fault,  ///< a line above 2X that belongs to no fraction, its multiples and their sidebands
+  second_mode     ///< lines between the multiples far above the natural frequency of a rotor with one mode
 };
 constexpr std::string_view to_string(ForeignCause cause) { return enumerator_word(cause); }
 std::string_view words_for(ForeignCause cause);
@@ -35,6 +36,7 @@ struct ForeignSign {
 struct ForeignQuestion {
   double speed_hz = 0;
   double natural_frequency_hz = 0;                             ///< 0: not known
+  bool one_mode = false;                                       ///< whether the simulated rotor has one mode
   std::optional<std::pair<double, double>> probe_angle_deg{};  ///< directions of two probes; empty: one probe
 };
 

@@ -37,16 +37,10 @@ Array after(const Array& x) {
   shifted << x.tail(x.size() - 1), x(0);
   return shifted;
 }
-template <class Array>
-Array before(const Array& x) {
-  Array shifted(x.size());
-  shifted << x(x.size() - 1), x.head(x.size() - 1);
-  return shifted;
-}
 
 /// Kurtosis and skewness of the second difference, which is large where a contact force bends the signal.
 void add_bends(const std::string& name, const ArrayXd& x, Features& features) {
-  const ArrayXd bend = after(x) - 2 * x + before(x);
+  const ArrayXd rise = after(x) - x, bend = after(rise) - rise;
   const double size = std::max(std::sqrt(bend.square().mean()), 1e-300);
   add(features, "kurtosis of acceleration " + name, (bend / size).square().square().mean());
   add(features, "skewness of acceleration " + name, (bend / size).cube().mean());
@@ -163,11 +157,7 @@ Features signal_features(const Eigen::VectorXd& waveform) {
 Features phase_features(const MotionLines& lines, bool plane) {
   const Arrows arrow(lines);
   Features features;
-  if (plane) {
-    add_phases(arrow, features);
-  } else {
-    add_phases_of_one_probe(arrow, features);
-  }
+  (plane ? add_phases : add_phases_of_one_probe)(arrow, features);
   return features;
 }
 

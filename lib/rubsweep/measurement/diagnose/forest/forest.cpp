@@ -33,35 +33,36 @@ struct Split {
 /// bin, so that all splits are compared in one pass.
 class SplitSearch {
  public:
-  SplitSearch(const LabelledSamples& samples, const std::vector<double>& weight, int least_leaf)
+  SplitSearch(const LabelledSamples& samples, int least_leaf)
       : samples_(samples),
-        weight_(weight),
         least_leaf_(least_leaf),
         by_bin_(static_cast<std::size_t>(BinnedFeatures::most_bins * samples.classes)) {}
 
-  void look(int feature, const std::vector<std::uint8_t>& bin, int bins, const std::vector<int>& members,
-            Split& best) {
-    const auto classes = static_cast<std::size_t>(samples_.classes);
+  void look(int feature, const std::vector<std::uint8_t>& bin, int bins,
+            const std::vector<Tree::Member>& members, const std::vector<double>& by_class, Split& best) {
+    const std::size_t classes = by_class.size();
     std::fill_n(by_bin_.begin(), static_cast<std::size_t>(bins) * classes, 0.0);
     std::array<int, BinnedFeatures::most_bins> count{};
-    std::vector<double> above(classes, 0.0), below(classes, 0.0);
-    for (const int i : members) {
-      const auto s = static_cast<std::size_t>(i);
-      const auto label = static_cast<std::size_t>(samples_.label[s]);
-      by_bin_[bin[s] * classes + label] += weight_[s];
-      above[label] += weight_[s];
+    for (const auto& [sample, weight] : members) {
+      const auto s = static_cast<std::size_t>(sample);
+      by_bin_[bin[s] * classes + static_cast<std::size_t>(samples_.label[s])] += weight;
       ++count[bin[s]];
     }
+    above_ = by_class;
+    below_.assign(classes, 0.0);
     int left = 0;
     for (int b = 0; b + 1 < bins; ++b) {
-      left += count[static_cast<std::size_t>(b)];
+      const auto here = static_cast<std::size_t>(b);
+      if (count[here] == 0) continue;  // the same split as at the bin before
+      left += count[here];
       for (std::size_t c = 0; c < classes; ++c) {
-        const double moved = by_bin_[static_cast<std::size_t>(b) * classes + c];
-        below[c] += moved;
-        above[c] -= moved;
+        const double moved = by_bin_[here * classes + c];
+        below_[c] += moved;
+        above_[c] -= moved;
       }
-      if (left < least_leaf_ || static_cast<int>(members.size()) - left < least_leaf_) continue;
-      const double purity = purity_of(below) + purity_of(above);
+      if (static_cast<int>(members.size()) - left < least_leaf_) return;
+      if (left < least_leaf_) continue;
+      const double purity = purity_of(below_) + purity_of(above_);
       if (purity > best.purity) best = {feature, b, purity};
     }
   }
@@ -77,9 +78,8 @@ class SplitSearch {
 
  private:
   const LabelledSamples& samples_;
-  const std::vector<double>& weight_;
   int least_leaf_;
-  std::vector<double> by_bin_;
+  std::vector<double> by_bin_, below_{}, above_{};
 };
 
 int drawn_below(int count, RandomStream& random) { return static_cast<int>(random.uniform() * count); }
@@ -133,43 +133,41 @@ Tree::Tree(const LabelledSamples& samples, const BinnedFeatures& binned, const T
     const int drawn = drawn_below(count, random);
     weight_[static_cast<std::size_t>(drawn)] += samples.weight(drawn);
   }
-  std::vector<int> members;
+  std::vector<Member> members;
   for (int i = 0; i < count; ++i)
-    if (drew(i)) members.push_back(i);
+    if (drew(i)) members.push_back({i, weight_[static_cast<std::size_t>(i)]});
   grow(samples, binned, options, random, std::move(members));
 }
 
 int Tree::grow(const LabelledSamples& samples, const BinnedFeatures& binned, const TreeOptions& options,
-               RandomStream& random, std::vector<int> members) {
+               RandomStream& random, std::vector<Member> members) {
   const int here = static_cast<int>(nodes_.size());
   nodes_.emplace_back();
   std::vector<double> by_class(static_cast<std::size_t>(samples.classes), 0.0);
-  for (const int i : members) {
-    const auto s = static_cast<std::size_t>(i);
-    by_class[static_cast<std::size_t>(samples.label[s])] += weight_[s];
-  }
+  for (const auto& [sample, weight] : members)
+    by_class[static_cast<std::size_t>(samples.label[static_cast<std::size_t>(sample)])] += weight;
+  const bool mixed = std::ranges::count_if(by_class, [](double weight) { return weight > 0; }) > 1;
   Split best{.purity = SplitSearch::purity_of(by_class) * (1 + 1e-12)};
-  if (static_cast<int>(members.size()) >= 2 * options.least_leaf) {
-    SplitSearch search(samples, weight_, options.least_leaf);
+  if (mixed && static_cast<int>(members.size()) >= 2 * options.least_leaf) {
+    SplitSearch search(samples, options.least_leaf);
     for (int t = 0; t < options.features_tried; ++t) {
       const auto f = static_cast<std::size_t>(drawn_below(static_cast<int>(binned.bin.size()), random));
       search.look(static_cast<int>(f), binned.bin[f], static_cast<int>(binned.edges[f].size()) + 1, members,
-                  best);
+                  by_class, best);
     }
   }
   Node node;
   if (best.feature < 0) {
     node.below = static_cast<int>(leaves_.size());
-    auto& leaf = leaves_.emplace_back();
-    for (const int i : members) leaf.push_back({i, weight_[static_cast<std::size_t>(i)]});
+    leaves_.push_back(std::move(members));
   } else {
     const auto f = static_cast<std::size_t>(best.feature);
     node.feature = best.feature;
     node.threshold = binned.edges[f][static_cast<std::size_t>(best.last_below)];
-    const auto middle = std::stable_partition(members.begin(), members.end(), [&](int i) {
-      return binned.bin[f][static_cast<std::size_t>(i)] <= best.last_below;
+    const auto middle = std::stable_partition(members.begin(), members.end(), [&](const Member& member) {
+      return binned.bin[f][static_cast<std::size_t>(member.sample)] <= best.last_below;
     });
-    std::vector<int> above(middle, members.end());
+    std::vector<Member> above(middle, members.end());
     members.erase(middle, members.end());
     node.below = grow(samples, binned, options, random, std::move(members));
     node.above = grow(samples, binned, options, random, std::move(above));

@@ -58,7 +58,7 @@ class Tree {
     int below = 0, above = 0;  ///< child nodes; in a leaf, its number
   };
   int grow(const LabelledSamples& samples, const BinnedFeatures& binned, const TreeOptions& options,
-           RandomStream& random, std::vector<int> members);
+           RandomStream& random, std::vector<Member> members);
 
   std::vector<double> weight_;  ///< weight of every sample: number of times drawn x its own weight
   std::vector<Node> nodes_;

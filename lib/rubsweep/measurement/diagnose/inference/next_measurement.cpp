@@ -117,6 +117,7 @@ std::vector<NextMeasurement> next_measurements(const DiagnosisProblem& problem, 
     DiagnosisProblem changed = problem;
     changed.speed_hz *= factor;
     changed.measuring.readings_per_turn /= factor;
+    changed.measuring.natural_order /= factor;
     options.emplace_back(fmt::format("at {:.4g} Hz ({:.0f} rpm)", changed.speed_hz, 60 * changed.speed_hz),
                          changed);
   }

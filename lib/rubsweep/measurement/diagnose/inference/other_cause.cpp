@@ -46,6 +46,21 @@ class Vibration {
            RandomStream& random) {
     const Complex forward = std::polar(amplitude * whirl.forward, 2 * pi * random.uniform()),
                   backward = std::polar(amplitude * whirl.backward, 2 * pi * random.uniform());
+    add(order, forward, backward, wandered);
+  }
+
+  /// Adds a component along a straight line across the shaft, `direction` radians from +x, instead of an
+  /// ellipse.
+  void add_along(double order, double amplitude, double direction, RandomStream& random) {
+    const double phase = 2 * pi * random.uniform();
+    add(order, std::polar(amplitude / 2, direction + phase), std::polar(amplitude / 2, direction - phase),
+        {});
+  }
+
+  const std::vector<Complex>& samples() const { return z_; }
+
+ private:
+  void add(double order, Complex forward, Complex backward, const std::vector<double>& wandered) {
     for (std::size_t k = 0; k < z_.size(); ++k) {
       const double angle =
           2 * pi * order * static_cast<double>(k) / samples_of_a_turn + (wandered.empty() ? 0 : wandered[k]);
@@ -53,28 +68,6 @@ class Vibration {
     }
   }
 
-  /// Adds a component along a straight line across the shaft, `direction` radians from +x, instead of an
-  /// ellipse.
-  void add_along(double order, double amplitude, double direction, RandomStream& random) {
-    const double phase = 2 * pi * random.uniform();
-    for (std::size_t k = 0; k < z_.size(); ++k) {
-      const double angle = 2 * pi * order * static_cast<double>(k) / samples_of_a_turn + phase;
-      z_[k] += amplitude * std::cos(angle) * std::polar(1.0, direction);
-    }
-  }
-
-  void add_unbalance(double backward_share, RandomStream& random) {
-    const Complex forward = std::polar(1.0, 2 * pi * random.uniform()),
-                  backward = std::polar(backward_share, 2 * pi * random.uniform());
-    for (std::size_t k = 0; k < z_.size(); ++k) {
-      const double angle = 2 * pi * static_cast<double>(k) / samples_of_a_turn;
-      z_[k] += forward * std::polar(1.0, angle) + backward * std::polar(1.0, -angle);
-    }
-  }
-
-  const std::vector<Complex>& samples() const { return z_; }
-
- private:
   std::vector<Complex> z_;
 };
 
@@ -153,11 +146,11 @@ MotionLines vibration_of_another_cause(int turns, RandomStream& random,
   Vibration vibration(turns);
   constexpr double unequal_supports = 0.125;
   const bool alone = random.uniform() < unequal_supports;
-  vibration.add_unbalance(alone ? between_logarithms(0.3, 1, random) : between_logarithms(1e-3, 0.5, random),
-                          random);
+  const double backward = alone ? between_logarithms(0.3, 1, random) : between_logarithms(1e-3, 0.5, random);
+  vibration.add(1, 1, {1, backward}, {}, random);
   const int components = alone ? 0 : 1 + static_cast<int>(4 * random.uniform() * random.uniform());
   for (int k = 0; k < components; ++k) {
-    const double amplitude = between_logarithms(0.05, 3, random), kind = random.uniform();
+    const double amplitude = between_logarithms(0.01, 3, random), kind = random.uniform();
     if (kind < 0.3) {
       add_multiples(vibration, amplitude, random);
     } else if (kind < 0.6) {

@@ -1,6 +1,7 @@
 #include "rubsweep/measurement/diagnose/inference/posterior.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -57,18 +58,8 @@ double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>&
         sum -= weight(i) * std::log(sharpened(out_of_bag.row(i), power)(label[static_cast<std::size_t>(i)]));
     return sum;
   };
-  // Golden-section search of the minimum of a convex function.
-  constexpr double golden = 0.6180339887498949;
-  double low = 0.2, high = 1;
-  for (int k = 0; k < 30; ++k) {
-    const double a = high - golden * (high - low), b = low + golden * (high - low);
-    if (loss(a) < loss(b)) {
-      high = b;
-    } else {
-      low = a;
-    }
-  }
-  return (low + high) / 2;
+  constexpr int bits = 20;
+  return boost::math::tools::brent_find_minima(loss, 0.2, 1.0, bits).first;
 }
 
 /// Mean position of a vibration of another cause, in units of its 1X amplitude; a load may move the shaft.

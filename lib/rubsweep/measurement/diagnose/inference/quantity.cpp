@@ -10,6 +10,10 @@ namespace {
 
 using std::numbers::pi;
 
+constexpr std::array<std::string_view, all_quantities.size()> names{
+    "clearance_m",    "stop_angle_deg", "position_m",        "contact_fraction", "peak_force_n",
+    "eccentricity_m", "whirl_ratio",    "stiffness_n_per_m", "restitution",      "friction_coefficient"};
+
 double value_in_case(const DiagnosisProblem& problem, const SimulatedCase& one, const ObservedCases& observed,
                      Eigen::Index row, const features::DescribedMotion& seen, Quantity quantity) {
   const double scale = seen.size_m / observed.size_m(row);
@@ -53,31 +57,7 @@ bool has_quantity(const DiagnosisProblem& problem, std::size_t candidate, Quanti
 
 double wrapped_deg(double angle_deg) { return std::remainder(angle_deg, 360.0); }
 
-std::string_view to_string(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::clearance:
-      return "clearance_m";
-    case Quantity::stop_angle:
-      return "stop_angle_deg";
-    case Quantity::position:
-      return "position_m";
-    case Quantity::contact_fraction:
-      return "contact_fraction";
-    case Quantity::peak_force:
-      return "peak_force_n";
-    case Quantity::eccentricity:
-      return "eccentricity_m";
-    case Quantity::whirl_ratio:
-      return "whirl_ratio";
-    case Quantity::stiffness:
-      return "stiffness_n_per_m";
-    case Quantity::restitution:
-      return "restitution";
-    case Quantity::friction:
-      return "friction_coefficient";
-  }
-  throw SolverError("quantity: no such enumerator");
-}
+std::string_view to_string(Quantity quantity) { return names[static_cast<std::size_t>(quantity)]; }
 
 Eigen::VectorXd values_in_cases(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
