@@ -207,8 +207,7 @@ Report report_of(const RubtraceArguments& arguments, const sweep::Study& study, 
       kit != nullptr && !kit->matrices ? with_places_between(rotor.rotor()) : rotor.rotor();
   const std::vector<double> diagram_hz =
       batch::evenly_spaced(speeds.shown.from_hz, speeds.shown.to_hz, campbell_speeds);
-  CampbellTables campbell =
-      tables_of(linear::campbell(shown, diagram_hz, 2 * speeds.shown.to_hz));
+  CampbellTables campbell = tables_of(linear::campbell(shown, diagram_hz, 2 * speeds.shown.to_hz));
   report.files = {{"campbell.csv", std::move(campbell.campbell_csv)},
                   {"critical_speeds.csv", std::move(campbell.critical_speeds_csv)},
                   {"mode_shapes.csv", std::move(campbell.mode_shapes_csv)},

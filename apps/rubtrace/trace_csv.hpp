@@ -22,8 +22,8 @@ std::vector<response::spectrum::SpectralLine> largest_lines(const response::spec
                                                             std::size_t count, double clearance_m);
 
 /// One line of text on the period that a pair of probes finds. `probes` must have all probes of the run.
-std::string probe_summary(const trace::ProbePeriod& period, const trace::ProbePair& pair, const trace::Probes& probes,
-                          const model::ShownLengths& shown = {});
+std::string probe_summary(const trace::ProbePeriod& period, const trace::ProbePair& pair,
+                          const trace::Probes& probes, const model::ShownLengths& shown = {});
 
 /// Tables of one traced run. Stops count from 0, as in the configuration. Times are in seconds since the
 /// start of the kick.
@@ -39,7 +39,8 @@ std::string trajectory_csv(const trace::Trace& trace);
 /// stop casing_i_vx_m_per_s, casing_i_vy_m_per_s.
 std::string section_csv(const trace::Trace& trace);
 
-std::string events_csv(const trace::Trace& trace);  ///< Changes of contact mode, with columns t_s, stop, from, to.
+std::string events_csv(
+    const trace::Trace& trace);  ///< Changes of contact mode, with columns t_s, stop, from, to.
 
 /// Columns `order`, `frequency_hz` and `amplitude_m`, a row for each line, from the most negative order
 /// upwards. The frequency has the sign of the order. An empty spectrum gives only the header.

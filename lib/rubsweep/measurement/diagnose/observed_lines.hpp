@@ -56,19 +56,19 @@ struct Measuring {
   double probe_angle_rad = 0;  ///< direction of a single probe where it is known, from +x to +y
   bool from_rest = false;      ///< whether readings are measured from the rest position of the rotor
   Spread noise_share{1e-3, 3e-2,
-                     true};  ///< white noise of every reading, standard deviation / size of the motion
-  OtherLines other_lines{};  ///< run-out and the like: lines at 1X, 2X, 3X
-  double gain_error = 0.02;  ///< standard deviation of each probe's gain about 1
+                     true};      ///< white noise of every reading, standard deviation / size of the motion
+  OtherLines other_lines{};      ///< run-out and the like: lines at 1X, 2X, 3X
+  double gain_error = 0.02;      ///< standard deviation of each probe's gain about 1
   double free_vibration = 0.01;  ///< largest amplitude of a free vibration / size of the motion
-  double natural_order = 0;  ///< natural frequency / speed, known to 2 %; 0: not known
+  double natural_order = 0;      ///< natural frequency / speed, known to 2 %; 0: not known
   /// Standard deviation of the rest position, in x and in y, divided by the size of the motion: a shaft does
   /// not always come to rest at the same place.
   static constexpr double rest_error = 0.02;
 };
 
 /// Lines of a motion as an instrument measures them, with random run-out and lines of other origin, a small
-/// free vibration, probe gains, and noise. The direction of a single probe is drawn as well, unless it is known, and returned in
-/// `probe_angle_rad`, from +x to +y.
+/// free vibration, probe gains, and noise. The direction of a single probe is drawn as well, unless it is
+/// known, and returned in `probe_angle_rad`, from +x to +y.
 MotionLines observed(const MotionLines& motion, const Measuring& measuring, RandomStream& random,
                      double& probe_angle_rad);
 

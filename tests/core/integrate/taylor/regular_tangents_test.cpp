@@ -78,6 +78,27 @@ TEST(RegularTangents, AreThoseOfAnyNumberOfCoordinates) {
   }
 }
 
+/// From the instant of touching, several successive terms are zero before the others come.
+TEST(RegularTangents, ZeroTermsAfterTheTouchingEndNoSeries) {
+  for (const PowerContactCase& each : power_contact_cases()) {
+    if (each.mode != contact::Mode::sprung) continue;
+    PowerContact<4> at(each);
+    RegularExpansion<4> motion(at.system, rounding_of_series);
+    ASSERT_TRUE(at.expand(motion, PowerContact<4>::state(0, 0.7)));
+    const double s = motion.converged();
+    RegularTangents<4> tangents(at.system);
+    const auto moved_with = [&](double accuracy) {
+      Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(8, 8);
+      EXPECT_TRUE(tangents.pass(motion, s, accuracy, {}, Eigen::Map<Eigen::MatrixXd>(vectors.data(), 8, 8)));
+      return vectors;
+    };
+    const Eigen::MatrixXd exact = moved_with(1e-13), rough = moved_with(1e-6);
+    for (int column = 0; column < 8; ++column)
+      EXPECT_LT((rough - exact).col(column).norm(), 1e-5 * exact.col(column).norm())
+          << each.exponent << " " << each.annular << " " << column;
+  }
+}
+
 /// Too long a step: the vectors stay as they were.
 TEST(RegularTangents, RefuseWhatDoesNotConverge) {
   PowerContact<4> at({});

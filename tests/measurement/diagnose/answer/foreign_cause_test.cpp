@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
 #include <vector>
 
 namespace rubsweep::diagnose::answer {
@@ -53,12 +54,24 @@ TEST(ForeignCauseSigns, OfLinesFarAboveTheNaturalFrequencyIsASecondModeOfARotorT
   question.one_mode = true;
   EXPECT_EQ(causes(lines(rub), question), Causes{ForeignCause::second_mode});
   EXPECT_NEAR(foreign_signs(lines(rub), question)[0].order, 1.5, 0.02);
+  question.natural_frequency_hz = 0;
+  EXPECT_EQ(causes(lines(rub), question), Causes{});
+  question.natural_frequency_hz = 23;
   // One mode answers such impacts mostly at 1/2.
   EXPECT_EQ(causes(lines([](double phi) {
                      return 0.4 * std::polar(1.0, phi / 2) + 0.1 * std::polar(1.0, 1.5 * phi);
                    }),
                    question),
             Causes{});
+}
+
+TEST(ForeignCauseSigns, NoiseAloneIsNoSecondMode) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> noise(0, 0.12);
+  ForeignQuestion question = two_probes();
+  question.natural_frequency_hz = 10;
+  question.one_mode = true;
+  EXPECT_EQ(causes(lines([&](double) { return Complex(noise(random), noise(random)); }), question), Causes{});
 }
 
 TEST(ForeignCauseSigns, ThereAreNoneWithoutLinesOff1X) {

@@ -69,8 +69,10 @@ class StepTangents final : public RightHandSide {
 
   /// Moves the vectors over the step of the motion up to `end_phase`.
   void follow(StepMethod& motion, RightHandSide& of_motion, const Step& step, double end_phase) {
-    work_ += work_of_slopes;
-    if (motion.move_tangents(step, end_phase, remembering_, tolerance_, vectors())) return;
+    if (motion.move_tangents(step, end_phase, remembering_, tolerance_, vectors())) {
+      work_ += work_of_slopes;
+      return;
+    }
     motion_ = &motion, of_motion_ = &of_motion, step_ = &step;
     inner_.start_phase = step.start_phase;
     (*this)(inner_.start, inner_.start_rate, inner_.start_phase);

@@ -165,6 +165,8 @@ Twin ContactSeries::normal_and_rate(int k) {
   return by_rate[0] + by_rate[1] + length_rate_[0] * normal + rate * normal_[0];
 }
 
+template Twin ContactSeries::normal_and_rate<false>(int);  // RegularContact needs it, too
+
 /// The force is F n + mu S t with normal force F, spring force S = K (r - C), and t = n turned by a quarter
 /// turn. S n = K (d - C n); with a damper, F n includes d r' n.
 Twin ContactSeries::annular_term(int k) {

@@ -93,18 +93,15 @@ class RegularSeries {
 
   /// Writes u then u' at s, by the terms up to `highest`.
   void put_state(double s, int highest, double* to) const {
-    Column sum = state_.col(highest);
-    for (int k = highest - 1; k >= 0; --k) {
-      sum *= s;
-      sum += state_.col(k);
-    }
-    Eigen::Map<Eigen::VectorXd>(to, sum.size() - 2) = sum.head(sum.size() - 2);
+    const Eigen::Index size = 2 * coordinates();
+    Eigen::Map<Eigen::VectorXd> sum(to, size);
+    sum = state_.col(highest).head(size);
+    for (int k = highest - 1; k >= 0; --k) sum = s * sum + state_.col(k).head(size);
   }
 
  private:
   using Vector = Eigen::Matrix<double, N, 1>;
   static constexpr int rows = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N + 2;
-  using Column = Eigen::Matrix<double, rows, 1>;
 
   Eigen::Index coordinates() const { return N == Eigen::Dynamic ? system_.coordinates() : N; }
 

@@ -17,7 +17,7 @@ struct RegularSlopes {
 
   std::array<PlaneSeries, 4> by;
   PlaneSeries by_damping;
-  bool only_first = false;  ///< true: by[2] and by[3] are zero, and not made
+  bool only_first = false;  ///< true: by[2] and by[3] are zero
 
   /// Makes `order` coefficients along the present expansion of `contact`.
   void make(RegularContact& contact, int order) {

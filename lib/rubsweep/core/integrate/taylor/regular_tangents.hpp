@@ -24,8 +24,8 @@ class RegularTangents {
       : system_(system), series_(system), slopes_(system.contacts.size()), seen_(system.contacts.size()) {}
 
   /// Moves `vectors` (2n rows of the state, then a row for each contact of `remembering`) from s = 0 to `s`.
-  /// Terms are added until four in a row are at most `accuracy` times the largest of the vector. False, with
-  /// the vectors as they were, where the series end before.
+  /// Terms are added until as many in a row as may be zero, and one more, are at most `accuracy` times the
+  /// largest of the vector. False, with the vectors as they were, where the series end before.
   bool pass(RegularExpansion<N>& motion, double s, double accuracy,
             const std::vector<std::size_t>& remembering, Eigen::Map<Eigen::MatrixXd> vectors) {
     for (const std::size_t i : motion.touching()) slopes_[i].make(motion.contact(i), order);
@@ -44,8 +44,8 @@ class RegularTangents {
   bool pass_one(const RegularExpansion<N>& motion, double s, double accuracy,
                 const std::vector<std::size_t>& remembering, double* vector) {
     series_.begin(vector, numerics::Twin{});
-    // Without other forces, only each fifth term (with n = 2.5 each seventh) of a series is not zero.
-    TangentConvergence<1> convergence(accuracy, Size(series_.size(0, 0)), Size(series_.size(1, 0)), 4);
+    TangentConvergence<1> convergence(accuracy, Size(series_.size(0, 0)), Size(series_.size(1, 0)),
+                                      RegularExpansion<N>::most_gap + 1);
     double power = 1;
     for (int k = 0; k < order && !convergence.all_converged(); ++k) {
       series_.begin_rate(k);

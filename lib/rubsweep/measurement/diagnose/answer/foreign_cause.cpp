@@ -50,7 +50,7 @@ class Rules {
     }
     add_whirls(add);
     add_bearing(add);
-    if (question_.one_mode) add_second_mode(add);
+    if (question_.one_mode && question_.natural_frequency_hz > 0) add_second_mode(add);
     std::ranges::stable_sort(signs, std::greater{}, &ForeignSign::share);
     return signs;
   }
@@ -133,11 +133,14 @@ class Rules {
   /// One mode, even stiffened by a contact, answers weakly so far above its natural frequency.
   void add_second_mode(const auto& add) const {
     constexpr double far_above = 2.2;
+    // A bin at the edge of a visible line has a sixth of its energy; those of noise have much less.
+    const double least = visible_share / 6 * off_;
     const double lowest = far_above * question_.natural_frequency_hz / question_.speed_hz * lines_.turns;
     double energy = 0;
     int best = 0;
     for (int k = energy_.first(); k <= energy_.last(); ++k) {
-      if (std::abs(k) < lowest || !features::between_multiples(energy_, k, line_bins)) continue;
+      if (std::abs(k) < lowest || energy_[k] < least || !features::between_multiples(energy_, k, line_bins))
+        continue;
       energy += energy_[k];
       if (energy_[k] > energy_[best]) best = k;
     }
