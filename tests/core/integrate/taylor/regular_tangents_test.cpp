@@ -85,7 +85,7 @@ TEST(RegularTangents, ZeroTermsAfterTheTouchingEndNoSeries) {
     PowerContact<4> at(each);
     RegularExpansion<4> motion(at.system, rounding_of_series);
     ASSERT_TRUE(at.expand(motion, PowerContact<4>::state(0, 0.7)));
-    const double s = motion.converged();
+    const double s = motion.converged() / 2;
     RegularTangents<4> tangents(at.system);
     const auto moved_with = [&](double accuracy) {
       Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(8, 8);
