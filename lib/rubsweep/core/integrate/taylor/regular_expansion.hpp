@@ -27,10 +27,6 @@ namespace rubsweep::integrate::taylor {
 template <int N>
 class RegularExpansion {
  public:
-  /// Most zero terms in a row: without other forces, only each fifth term of a series (with n = 2.5 each
-  /// seventh) is not zero.
-  static constexpr int most_gap = 6;
-
   /// `system` must outlive this object. `accuracy` as in SeriesOptions.
   RegularExpansion(const run::ScaledSystem<N>& system, double accuracy)
       : system_(system),
@@ -148,6 +144,8 @@ class RegularExpansion {
 
  private:
   static constexpr int order = RegularSeries<N>::order;
+  /// Without other forces, only each fifth term (with n = 2.5 each seventh) of a series is not zero.
+  static constexpr int most_gap = 6;
   static constexpr double longest_parameter = 1e6;
 
   void start_pulses(double phase_rad, const run::PulseTimes& pulses) {

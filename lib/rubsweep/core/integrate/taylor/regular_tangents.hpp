@@ -28,7 +28,11 @@ class RegularTangents {
   /// largest of the vector. False, with the vectors as they were, where the series end before.
   bool pass(RegularExpansion<N>& motion, double s, double accuracy,
             const std::vector<std::size_t>& remembering, Eigen::Map<Eigen::MatrixXd> vectors) {
-    for (const std::size_t i : motion.touching()) slopes_[i].make(motion.contact(i), order);
+    wanted_ = 4;
+    for (const std::size_t i : motion.touching()) {
+      slopes_[i].make(motion.contact(i), order);
+      if (motion.contact(i).is_pace()) wanted_ = motion.contact(i).power().halves + 2;
+    }
     moved_ = vectors;
     for (Eigen::Index j = 0; j < vectors.cols(); ++j) {
       if (!pass_one(motion, s, accuracy, remembering, moved_.col(j).data())) return false;
@@ -44,8 +48,7 @@ class RegularTangents {
   bool pass_one(const RegularExpansion<N>& motion, double s, double accuracy,
                 const std::vector<std::size_t>& remembering, double* vector) {
     series_.begin(vector, numerics::Twin{});
-    TangentConvergence<1> convergence(accuracy, Size(series_.size(0, 0)), Size(series_.size(1, 0)),
-                                      RegularExpansion<N>::most_gap + 1);
+    TangentConvergence<1> convergence(accuracy, Size(series_.size(0, 0)), Size(series_.size(1, 0)), wanted_);
     double power = 1;
     for (int k = 0; k < order && !convergence.all_converged(); ++k) {
       series_.begin_rate(k);
@@ -82,6 +85,9 @@ class RegularTangents {
 
   const run::ScaledSystem<N>& system_;
   RegularSeries<N> series_;  ///< the present vector
+  /// Small terms in a row that end a series. Where a root of the penetration is the pace, only each (2 n +
+  /// 2)nd term need differ from zero.
+  int wanted_ = 4;
   Eigen::MatrixXd moved_;
   std::vector<RegularSlopes> slopes_;
   /// Both components of w and w' at each contact: w1, w1', w2, w2'.
