@@ -3,10 +3,11 @@
 
 Usage: independent_recordings.py DIRECTORY COUNT SEED
 
-Writes COUNT recordings of rubs and COUNT of others, as NNNN.csv with its instrument NNNN.yaml; truth.csv
-says what each is; machine_K.yaml describes the rotor by its first mode alone, with the errors of a fit. Four
-machines run at one speed each, a fifth at half its critical speed, so that the motions that rubdiagnose simulates
-serve many recordings. A rub has 3 % or more of its energy off +-1X and goes less deep than half its clearance.
+Writes COUNT recordings of rubs and COUNT of others (fewer from machines that hardly rub), as NNNN.csv with its
+instrument NNNN.yaml; truth.csv says what each is; machine_K.yaml describes the rotor by its first mode alone, with
+the errors of a fit. Four machines run at one speed each, a fifth at half its critical speed, so that the motions that
+rubdiagnose simulates serve many recordings. A rub has 3 % or more of its energy off +-1X and goes less deep than half
+its clearance.
 Needs NumPy. The same arguments give the same bytes on one computer.
 """
 
@@ -21,6 +22,7 @@ from independent_rotor import FOREIGN, RUBS, STEPS, Rotors
 
 MACHINES, RECORDED, SETTLING, EVERY = 5, 40, 160, 8
 RUNS_A_RUB = 9  # runs of a rub beside one of another cause: nine in ten do not touch, or rub synchronously
+MOST_ROUNDS = 10  # for each recording that is asked for: machines that never rub end, too
 BATCH = 400
 
 
@@ -158,11 +160,11 @@ def write_machine(path, machines, k, random):
         "whirl_ratio: {values: [0.3]}}\noutput: {directory: out}\n", encoding="ascii")
 
 
-def all_runs():
-    """Cause and machine of every run, without end; a cracked shaft and some rotors without rub run at half their
+def all_runs(rounds):
+    """Cause and machine of every run, ten a round; a cracked shaft and some rotors without rub run at half their
     critical speed. Rubs and others take turns, so that the first recordings stand for all.
     """
-    for k in itertools.count():
+    for k in range(rounds):
         for i in range(RUNS_A_RUB * k, RUNS_A_RUB * (k + 1)):
             yield RUBS[i % 4], i // 4 % (MACHINES - 1)
         cause = "no_rub" if k % 2 == 0 else FOREIGN[k // 2 % len(FOREIGN)]
@@ -176,11 +178,10 @@ def main(directory, count, seed):
     machines = draw_machines(random)
     for k in range(MACHINES):
         write_machine(directory / f"machine_{k}.yaml", machines, k, random)
-    runs, kept = all_runs(), dict.fromkeys(("rub", "other"), 0)
+    runs, kept = all_runs(MOST_ROUNDS * count), dict.fromkeys(("rub", "other"), 0)
     with open(directory / "truth.csv", "w", encoding="ascii") as truth:
         truth.write("recording,cause,machine,probes,off_1x,deepest,contact_share,wander\n")
-        while min(kept.values()) < count:
-            part = list(itertools.islice(runs, BATCH))
+        while min(kept.values()) < count and (part := list(itertools.islice(runs, BATCH))):
             causes, machine = [run[0] for run in part], np.array([run[1] for run in part])
             p = draw(random, machines, machine, causes)
             seen, angles, deepest, touched = Rotors(p, random).run(SETTLING, RECORDED, EVERY)

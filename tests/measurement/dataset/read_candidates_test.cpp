@@ -101,14 +101,14 @@ std::string refused(const std::string& text) {
   return "none";
 }
 
-TEST(ReadCandidates, UsualListHasEveryCauseAndNoRubAsLikelyAsAllRubs) {
+TEST(ReadCandidates, UsualListHasEveryCauseAndEqualShares) {
   const CandidateFile usual = usual_candidate_file();
   ASSERT_EQ(usual.candidates.size(), diagnose::all_causes.size());
   for (std::size_t c = 0; c < usual.candidates.size(); ++c) {
     EXPECT_EQ(usual.candidates[c].cause, diagnose::all_causes[c]);
     EXPECT_GT(usual.candidates[c].clearance_m.low, 0);
     EXPECT_GT(usual.candidates[c].clearance_m.high, usual.candidates[c].clearance_m.low);
-    EXPECT_DOUBLE_EQ(usual.prior[c], c == 0 ? 0.5 : 0.125);
+    EXPECT_DOUBLE_EQ(usual.prior[c], 0.2);
   }
 }
 

@@ -150,10 +150,14 @@ double friction_coefficient(const model::Friction& friction, double slip_m_per_s
 }
 
 double friction_slope(const model::Friction& friction, double slip_m_per_s) {
-  if (const auto* stribeck = std::get_if<StribeckFriction>(&friction))
-    return slope_of(*stribeck, slip_m_per_s);
-  const auto* law = std::get_if<FallingFriction>(&friction);
-  return law ? terms_of(*law).falling.slope(std::abs(slip_m_per_s)) : 0;
+  return std::visit(
+      overloaded{
+          [](const NoFriction&) { return 0.0; }, [](const ConstantFriction&) { return 0.0; },
+          [](const OneWayFriction&) { return 0.0; },
+          [&](const StribeckFriction& stribeck) { return slope_of(stribeck, slip_m_per_s); },
+          [](const StaticFriction&) { return 0.0; },
+          [&](const FallingFriction& law) { return terms_of(law).falling.slope(std::abs(slip_m_per_s)); }},
+      friction);
 }
 
 std::optional<SaturatedFriction> saturated_friction(const model::Friction& friction) {
@@ -167,8 +171,11 @@ FrictionTerms friction_terms(const model::Friction& friction) {
 bool acts(const model::Friction& friction) { return !std::holds_alternative<NoFriction>(friction); }
 
 bool depends_on_slip(const model::Friction& friction) {
-  return std::holds_alternative<StribeckFriction>(friction) ||
-         std::holds_alternative<FallingFriction>(friction);
+  return std::visit(
+      overloaded{[](const NoFriction&) { return false; }, [](const ConstantFriction&) { return false; },
+                 [](const OneWayFriction&) { return false; }, [](const StribeckFriction&) { return true; },
+                 [](const StaticFriction&) { return false; }, [](const FallingFriction&) { return true; }},
+      friction);
 }
 
 bool keeps_its_direction(const model::Friction& friction) { return friction_terms(friction).constant != 0; }

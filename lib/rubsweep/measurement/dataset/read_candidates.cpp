@@ -164,8 +164,7 @@ void read_measuring(const yaml::Value& value, diagnose::Measuring& measuring) {
 CandidateFile usual_candidate_file() {
   CandidateFile file{.candidates = diagnose::usual_candidates()};
   for (diagnose::Candidate& candidate : file.candidates) candidate.clearance_m = usual_clearance_m;
-  file.prior.assign(file.candidates.size(), 0.5 / static_cast<double>(file.candidates.size() - 1));
-  file.prior.front() = 0.5;
+  file.prior.assign(file.candidates.size(), 1.0 / static_cast<double>(file.candidates.size()));
   return file;
 }
 

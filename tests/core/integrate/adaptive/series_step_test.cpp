@@ -94,6 +94,27 @@ TEST(SeriesStep, LeavesOtherLawsToTheStepper) {
   const auto series = std::make_unique<SeriesStep<4>>(at.law, run::SolverOptions{});
   ASSERT_TRUE(series->try_step(law, at.step, size));
   EXPECT_FALSE(at.step.knows_modes);
+  Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(8, 8);
+  const Eigen::Map<Eigen::MatrixXd> map(vectors.data(), 8, 8);
+  EXPECT_FALSE(series->move_tangents(at.step, at.step.end_phase, {}, 1e-8, map));
+  EXPECT_TRUE(vectors.isIdentity(0));
+}
+
+TEST(SeriesStep, MovesTangentVectorsOverItsSteps) {
+  Touching at(1.5);
+  LawOfSteps<law::Dynamics<4, false>> law(at.law);
+  double size = 1e-3;
+  const auto series = std::make_unique<SeriesStep<4>>(at.law, run::SolverOptions{});
+  ASSERT_TRUE(series->try_step(law, at.step, size));
+  ASSERT_TRUE(at.step.knows_modes);
+  Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(8, 8);
+  const Eigen::Map<Eigen::MatrixXd> map(vectors.data(), 8, 8);
+  ASSERT_TRUE(series->move_tangents(at.step, at.step.start_phase, {}, 1e-8, map));
+  EXPECT_TRUE(vectors.isIdentity(0));
+  // Displacements grow by the rates.
+  const double end_phase = at.step.start_phase + 1e-3 * (at.step.end_phase - at.step.start_phase);
+  ASSERT_TRUE(series->move_tangents(at.step, end_phase, {}, 1e-8, map));
+  EXPECT_NEAR(vectors(0, 4) / (end_phase - at.step.start_phase), 1, 1e-3);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct PowerContactCase {
   bool annular = false;
   contact::Mode mode = contact::Mode::sprung;
   model::Friction friction = model::StribeckFriction{{0, 0, 0, 0.2, 0.1, 0}};
+  double harder = 1;  ///< factor of the stiffness
 };
 
 template <int N>
@@ -48,7 +49,7 @@ struct PowerContact {
     contact.clearance_m = 1e-3;
     contact.surface_speed_m_per_s = 12;
     contact.friction = a.friction;
-    const double stiffness = 1e6 / std::pow(5e-5, a.exponent - 1);
+    const double stiffness = a.harder * 1e6 / std::pow(5e-5, a.exponent - 1);
     test_curved::give_law(
         test_curved::power_stop(stiffness, a.exponent, model::ImpactDamping::hunt_crossley, 0.7), contact);
     return test_curved::rotor_and_casing({contact}, 40);

@@ -42,7 +42,7 @@ TEST(OtherCause, WhirlsForwardBelowHalfTheSpeedMoreOftenThanAtOtherOrders) {
     (order > 0.36 && order < 0.52 ? oil_film : other) += 1;
   }
   EXPECT_GT(oil_film, 60);
-  EXPECT_GT(other, 30);
+  EXPECT_GT(other, 40);
   EXPECT_GT(oil_film, other);
 }
 

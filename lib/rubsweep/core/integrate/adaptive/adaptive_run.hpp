@@ -21,9 +21,11 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// A run with one of Odeint's steppers. With a located law (not smoothed), a step is cut where it crosses a
-/// mode's guard, where a slip with dry friction reaches zero, or where a contact stops sticking, so that the
-/// right-hand side is smooth inside. `Law`: Dynamics, or a law with further numbers after its state.
+/// A run with one of Odeint's steppers. With a located law (not smoothed), a step that crosses a mode's guard
+/// is cut there, and the next step starts in the new mode. Inside a step the right-hand side is smooth, so
+/// that the stepper keeps its order. A step also ends where a slip with dry friction reaches zero or a
+/// contact stops sticking. `Law` is the right-hand side: Dynamics, or a law with further numbers after its
+/// state.
 template <class Law>
 class AdaptiveRun {
   static constexpr bool smoothed = Law::smoothed;

@@ -19,10 +19,13 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// A run in pieces that are power series of the phase, each within one joint contact mode, where every law is
-/// analytic, and as long as its last terms are of the size of rounding. Pieces also end where the slip of dry
-/// friction reaches zero or a contact stops sticking. Steep friction creeps (`Creep`). Supports flat and
-/// annular stops, any friction, any number of coordinates.
+/// A run in pieces that are power series of the phase. Within one joint contact mode every law is analytic. A
+/// step of order 24 has a length at which its last terms are of the size of rounding. Guards are polynomials
+/// over a step; the signs of Bernstein coefficients locate their first rise through zero, so that none is
+/// missed. If friction is so steep that the slip follows the other motion, pieces become as long as without
+/// friction once the slip's own transient has decayed (`Creep`). With dry friction, pieces also end where a
+/// slip reaches zero or a contact stops sticking. Supports flat and annular stops, any friction, any number
+/// of coordinates.
 template <int N>
 class TaylorRun {
  public:

@@ -150,7 +150,7 @@ MotionLines vibration_of_another_cause(int turns, RandomStream& random,
   vibration.add(1, 1, {1, backward}, {}, random);
   const int components = alone ? 0 : 1 + static_cast<int>(4 * random.uniform() * random.uniform());
   for (int k = 0; k < components; ++k) {
-    const double amplitude = between_logarithms(0.01, 3, random), kind = random.uniform();
+    const double amplitude = between_logarithms(0.05, 3, random), kind = random.uniform();
     if (kind < 0.3) {
       add_multiples(vibration, amplitude, random);
     } else if (kind < 0.6) {
