@@ -103,6 +103,7 @@ class RandomMachine {
   explicit RandomMachine(unsigned seed) : random_(seed) {
     const int count = 1 + int(seed % 3);
     std::vector<scene::Contact> contacts;
+    contacts.reserve(std::size_t(count));
     for (int i = 0; i < count; ++i) contacts.push_back(contact(i == 0 && seed % 2 == 0, seed + unsigned(i)));
     scene = rotor_and_casing(contacts, between(10, 60));
   }

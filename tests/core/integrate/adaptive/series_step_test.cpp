@@ -95,7 +95,7 @@ TEST(SeriesStep, LeavesOtherLawsToTheStepper) {
   ASSERT_TRUE(series->try_step(law, at.step, size));
   EXPECT_FALSE(at.step.knows_modes);
   Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(8, 8);
-  const Eigen::Map<Eigen::MatrixXd> map(vectors.data(), 8, 8);
+  Eigen::Map<Eigen::MatrixXd> map(vectors.data(), 8, 8);
   EXPECT_FALSE(series->move_tangents(at.step, at.step.end_phase, {}, 1e-8, map));
   EXPECT_TRUE(vectors.isIdentity(0));
 }
@@ -108,7 +108,7 @@ TEST(SeriesStep, MovesTangentVectorsOverItsSteps) {
   ASSERT_TRUE(series->try_step(law, at.step, size));
   ASSERT_TRUE(at.step.knows_modes);
   Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(8, 8);
-  const Eigen::Map<Eigen::MatrixXd> map(vectors.data(), 8, 8);
+  Eigen::Map<Eigen::MatrixXd> map(vectors.data(), 8, 8);
   ASSERT_TRUE(series->move_tangents(at.step, at.step.start_phase, {}, 1e-8, map));
   EXPECT_TRUE(vectors.isIdentity(0));
   // Displacements grow by the rates.

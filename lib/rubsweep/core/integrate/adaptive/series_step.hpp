@@ -44,7 +44,7 @@ class SeriesStep final : public StepMethod {
   }
 
   bool move_tangents(const Step& step, double end_phase, const std::vector<std::size_t>& remembering,
-                     double accuracy, Eigen::Map<Eigen::MatrixXd> vectors) override {
+                     double accuracy, Eigen::Map<Eigen::MatrixXd>& vectors) override {
     return step.knows_modes &&
            tangents_.pass(motion_, time_at(step, end_phase), accuracy, remembering, vectors);
   }

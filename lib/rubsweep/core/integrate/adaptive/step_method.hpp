@@ -100,7 +100,7 @@ class StepMethod {
   /// last step up to a phase, to this relative accuracy; false, without any change, if the method cannot.
   virtual bool move_tangents(const Step&, double /*end_phase*/,
                              const std::vector<std::size_t>& /*remembering*/, double /*accuracy*/,
-                             Eigen::Map<Eigen::MatrixXd> /*vectors*/) {
+                             Eigen::Map<Eigen::MatrixXd>& /*vectors*/) {
     return false;
   }
 

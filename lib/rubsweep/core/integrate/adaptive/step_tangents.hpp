@@ -69,7 +69,8 @@ class StepTangents final : public RightHandSide {
 
   /// Moves the vectors over the step of the motion up to `end_phase`.
   void follow(StepMethod& motion, RightHandSide& of_motion, const Step& step, double end_phase) {
-    if (motion.move_tangents(step, end_phase, remembering_, tolerance_, vectors())) {
+    Vectors moved = vectors();
+    if (motion.move_tangents(step, end_phase, remembering_, tolerance_, moved)) {
       work_ += work_of_slopes;
       return;
     }
