@@ -71,7 +71,7 @@ std::string_view word_of(design::Answer answer) {
 /// Pages of both ends behind the answer of both together.
 std::string page_of(const RubtraceArguments& arguments, const design::DesignCheck& check,
                     const std::optional<design::DesignCheck>& other) {
-  const std::string page = design::design_page(check, arguments.shown);
+  std::string page = design::design_page(check, arguments.shown);
   if (!other) return page;
   const design::Answer here = design::answer_of(check), there = design::answer_of(*other);
   const bool broken = here == design::Answer::not_met || there == design::Answer::not_met;

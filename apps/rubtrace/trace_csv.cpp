@@ -83,11 +83,10 @@ void append_casing_velocities(std::string& line, const trace::TraceState& state)
 
 std::string trace_summary(const trace::Trace& trace, const trace::TraceWindow& window, double clearance_m,
                           const model::ShownLengths& shown) {
-  const std::string run =
-      fmt::format("run       {} revolutions, {}\n", trace.revolutions,
-                  trace.last_contact_revolution
-                      ? fmt::format("last contact in revolution {}", *trace.last_contact_revolution)
-                      : "no contact");
+  std::string run = fmt::format("run       {} revolutions, {}\n", trace.revolutions,
+                                trace.last_contact_revolution ? fmt::format("last contact in revolution {}",
+                                                                            *trace.last_contact_revolution)
+                                                              : "no contact");
   if (window.turns == 0) return run;
   const response::motion::ContactFacts whole = facts_of_last(trace, trace.turns.size());
   return run + fmt::format(

@@ -17,6 +17,12 @@ TEST(Datasheet, NamesEveryColumnAndEveryRange) {
   EXPECT_NE(text.find("6 recordings of 3 machines, made by rubdata 0"), std::string::npos);
 }
 
+TEST(Datasheet, SaysWhatTheSetIsMeasuredByAndHowToCiteIt) {
+  const std::string text = datasheet(dataset::small_study(), "rubdata 0");
+  for (const char* said : {"## Baseline\n", "## How to cite\n", "the version, rubdata 0, the study below"})
+    EXPECT_NE(text.find(said), std::string::npos) << said;
+}
+
 TEST(Datasheet, OfOneProbeKnowsNoY) {
   dataset::DataStudy study = dataset::small_study();
   EXPECT_NE(datasheet(study, "").find("`y_m`"), std::string::npos);

@@ -14,7 +14,7 @@ using trace::TraceWindow;
 response::spectrum::FullSpectrum spectrum_of(std::initializer_list<std::pair<int, double>> amplitude) {
   response::spectrum::FullSpectrum spectrum{
       .turns = 4, .samples_per_revolution = 4, .amplitude_m = std::vector<double>(16)};
-  for (const auto& [k, value] : amplitude) spectrum.amplitude_m[static_cast<std::size_t>(k + 8)] = value;
+  for (const auto& [k, value] : amplitude) spectrum.amplitude_m[static_cast<std::size_t>(8L + k)] = value;
   return spectrum;
 }
 

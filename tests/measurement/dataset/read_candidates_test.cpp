@@ -77,7 +77,7 @@ TEST(ReadCandidates, RefusesUnknownWordsAndNamesThatAreTwiceThere) {
 
 TEST(ReadCandidates, RefusesNamesThatAreNoCellOfATable) {
   std::vector<diagnose::Candidate> candidates;
-  for (const char* name : {"\"a\\nb\"", "\"a\\tb\""})
+  for (const char* name : {R"("a\nb")", R"("a\tb")"})
     EXPECT_NE(read("candidates: [{kind: one_side, name: " + std::string(name) + "}]\n", candidates)
                   .find("candidates.0.name: is no name, allowed: one line of text"),
               std::string::npos)

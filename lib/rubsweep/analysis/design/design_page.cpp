@@ -36,7 +36,7 @@ std::string_view if_lasting(bool met, const linear::GrowthAt& growth) {
 
 std::string stability_lines(const DesignCheck& check) {
   if (check.growth.growth_per_s == 0) {
-    const std::string text = "stability every free vibration decays in the operating range: ok\n";
+    std::string text = "stability every free vibration decays in the operating range: ok\n";
     if (!check.decays_to_hz) return text;
     return text + fmt::format("          above {} one grows, by up to {:.4g} 1/s at {}\n",
                               speed(*check.decays_to_hz), check.growth_beyond.growth_per_s,

@@ -51,8 +51,8 @@ enum class Stored : std::uint32_t {
   uint16 = 4,
   int32 = 5,
   uint32 = 6,
-  single_ = 7,
-  double_ = 9,
+  float32 = 7,
+  float64 = 9,
   int64 = 12,
   uint64 = 13
 };

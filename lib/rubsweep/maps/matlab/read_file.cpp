@@ -13,7 +13,7 @@ namespace rubsweep::matlab {
 namespace {
 
 /// Types of numbers by the digit P of the type code MOPT of version 4.
-constexpr std::array<Stored, 6> stored_types{Stored::double_, Stored::single_, Stored::int32,
+constexpr std::array<Stored, 6> stored_types{Stored::float64, Stored::float32, Stored::int32,
                                              Stored::int16,   Stored::uint16,  Stored::uint8};
 
 struct Type {

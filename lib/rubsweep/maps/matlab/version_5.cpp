@@ -214,7 +214,7 @@ std::string version_5_file(std::string_view words, std::span<const NamedVector> 
     append_element(array, static_cast<std::uint32_t>(Stored::uint32), flags);
     append_element(array, static_cast<std::uint32_t>(Stored::int32), dims);
     append_element(array, static_cast<std::uint32_t>(Stored::int8), name);
-    append_element(array, static_cast<std::uint32_t>(Stored::double_), data);
+    append_element(array, static_cast<std::uint32_t>(Stored::float64), data);
     append_element(element, matrix_type, array);
     uLongf size = compressBound(static_cast<uLong>(element.size()));
     std::string packed(size, '\0');

@@ -76,7 +76,7 @@ TEST(RegularExpansion, CarriesAContactFromItsBeginningToItsEnd) {
       EXPECT_EQ(event.next, contact::Mode::open);
     }
   }
-  const double K = 1e4, m = 2, v = 1e-3, peak_m = std::pow(5 * m * v * v / (4 * K), 0.4);
+  const double stiffness = 1e4, m = 2, v = 1e-3, peak_m = std::pow(5 * m * v * v / (4 * stiffness), 0.4);
   const double constant = 2 * std::sqrt(pi) * std::tgamma(1.4) / std::tgamma(0.9);
   EXPECT_NEAR(constant, 2.9432, 1e-4);
   EXPECT_NEAR(deepest * 1e-3 / peak_m, 1, 1e-12);

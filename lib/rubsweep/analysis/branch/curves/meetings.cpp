@@ -80,12 +80,13 @@ std::vector<MeetingTest> tests_of_one_multiplier(double sign, const Critical& re
 
 std::vector<MeetingTest> tests_of_a_fold(const Critical& reference) {
   auto tests = tests_of_one_multiplier(1, reference);
-  tests.back() = {MeetingKind::cusp,
-                  [reference](const CurvePoint& point) {
-                    return point.critical.quadratic * turned(point.critical.left, reference.left);
-                  },
-                  {},
-                  true};
+  tests.pop_back();
+  tests.push_back({MeetingKind::cusp,
+                   [reference](const CurvePoint& point) {
+                     return point.critical.quadratic * turned(point.critical.left, reference.left);
+                   },
+                   {},
+                   true});
   return tests;
 }
 

@@ -117,6 +117,7 @@ BinnedFeatures binned(const Eigen::MatrixXd& samples) {
     const std::vector<double> values(column.begin(), column.end());
     std::vector<double> edges = values.empty() ? std::vector<double>{} : edges_of(values);
     std::vector<std::uint8_t> bin;
+    bin.reserve(values.size());
     for (const double x : values)
       bin.push_back(static_cast<std::uint8_t>(std::ranges::lower_bound(edges, x) - edges.begin()));
     features.edges.push_back(std::move(edges));
