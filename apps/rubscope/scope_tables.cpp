@@ -70,7 +70,10 @@ std::string lines_csv(const Verdict& verdict) {
     // A line below the noise has no phase.
     const double phase_rad =
         amplitude_m > verdict.noise_at(line.order) ? line.uncertainty_m / amplitude_m : NAN;
-    DiscreteLine own{line.order, 0, amplitude_m, line.uncertainty_m};
+    // Lines between the whole orders are within two uncertainties of the multiples of 1 / period.
+    const bool whole = line.order == std::round(line.order);
+    DiscreteLine own{line.order, whole ? 0 : verdict.order_room.value_or(0) / 2, amplitude_m,
+                     line.uncertainty_m};
     if (!verdict.period && line.order != 0) {
       const DiscreteLine* found = line_of_bin(verdict, line.order);
       own = found ? *found : DiscreteLine{NAN, NAN, NAN, NAN};

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <random>
 #include <sstream>
+#include <string>
 
 namespace rubsweep::apps {
 
@@ -49,6 +51,38 @@ TEST(ScopeTables, HoldTheMotion) {
   EXPECT_TRUE(
       tables.summary.starts_with("speed     50 Hz (3000 rpm), 50 to 50 Hz (3000 to 3000 rpm), 30 turns, "));
   EXPECT_TRUE(tables.summary.ends_with("warning   'x' is clipped above\n"));
+}
+
+/// Two lines of a period of seven turns, of which the measured one is 0.015 bins away from its multiple.
+TEST(ScopeTables, ALineBesideItsMultipleIsWithinItsUncertainties) {
+  constexpr int turns = 140;
+  const double order = 4.0 / 7 + 0.015 / turns, size_m = 2e-5;
+  recording::Recording recording = circle(turns);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0, 2e-8);
+  for (std::size_t k = 0; k < recording.displacement_m.size(); ++k) {
+    const double turn = static_cast<double>(k) / recording::samples_per_revolution;
+    recording.displacement_m[k] +=
+        std::polar(size_m, 2 * std::numbers::pi * order * turn) + std::complex(noise(random), noise(random));
+  }
+  const Verdict verdict = judge(recording.displacement_m, recording::samples_per_revolution, true);
+  ASSERT_EQ(verdict.period, 7);
+  std::istringstream lines(tables_of(recording, verdict, {1, 2}).lines_csv);
+  bool found = false;
+  for (std::string line; std::getline(lines, line);) {
+    double of_bin = 0, found_order = 0, doubt = 0, amplitude_m = 0, uncertainty_m = 0, ignored = 0;
+    if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", &of_bin, &ignored, &ignored,
+                    &ignored, &ignored, &found_order, &doubt, &amplitude_m, &uncertainty_m) != 9)
+      continue;
+    if (of_bin == 1) EXPECT_EQ(doubt, 0);
+    if (std::abs(of_bin - order) > 0.05) continue;
+    found = true;
+    EXPECT_LE(std::abs(found_order - order), 2 * doubt);
+    EXPECT_LT(doubt, 0.02 / turns);
+    EXPECT_LE(std::abs(amplitude_m - size_m), 2 * uncertainty_m);
+    EXPECT_LT(uncertainty_m, 1e-3 * size_m);
+  }
+  EXPECT_TRUE(found);
 }
 
 TEST(ScopeTables, SayLengthsAsTheyAreAskedFor) {

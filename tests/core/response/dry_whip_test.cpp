@@ -160,5 +160,41 @@ TEST(DryWhip, RollsInARigidRingWithTheFrictionOfItsSlip) {
   EXPECT_NEAR(m.dominant->amplitude_m / stop.clearance_m, 1 / (1 - 2 * zeta * by_formula / (mu * b)), 1e-5);
 }
 
+/// With dry friction the rotor rolls without slip: w = R Omega / r, where (k_c + k - m w^2) r = k_c c. The
+/// samples of a turn do not resolve this whirl, and a turn has thousands of radians of the contact's
+/// vibration.
+TEST(DryWhip, RollsInAStiffRingWithDryFriction) {
+  model::Stop stop;
+  stop.geometry = model::AnnularGeometry{};
+  stop.clearance_m = 1.5e-4;
+  stop.stiffness_n_per_m = 9e7;
+  stop.damping = model::NominalRestitution{0.8};
+  stop.contact_radius_m = 0.02;
+  stop.friction = model::ConstantFriction{0.15};
+  model::Machine machine;
+  machine.rotor = model::JeffcottRotor{.mass_kg = 3, .natural_frequency_hz = 30, .damping_ratio = 0.004};
+  machine.stops = {stop};
+  machine.kick = model::Kick{.force_n = 700, .duration_s = 1e-3, .angle_deg = {}};
+  const double speed_hz = 0.4;
+  motion::Workspace workspace;
+  const SettledRun settled =
+      settle(scene::build_cell(machine, speed_hz, scene::Eccentricity{3e-6}), {}, {}, workspace);
+  EXPECT_EQ(std::string(to_string(settled.motion.motion_class)), "quasi_periodic");
+  EXPECT_EQ(settled.proof, motion::Proof::floquet_observed);
+  EXPECT_LT(settled.revolutions, 60);
+  const motion::Measures& m = settled.motion.measures;
+  EXPECT_EQ(m.orbit, spectrum::OrbitKind::circle);
+  EXPECT_EQ(m.whirl, spectrum::WhirlKind::backward);
+  const double shaft = 2 * std::numbers::pi * speed_hz, k = 3 * std::pow(2 * std::numbers::pi * 30, 2);
+  double radius = stop.clearance_m;
+  for (int step = 0; step < 20; ++step) {
+    const double w = stop.contact_radius_m * shaft / radius;
+    radius = stop.stiffness_n_per_m * stop.clearance_m / (stop.stiffness_n_per_m + k - 3 * w * w);
+  }
+  EXPECT_NEAR(m.dominant.value().order, -stop.contact_radius_m / radius, 1e-6 * 133);
+  EXPECT_NEAR(m.dominant->amplitude_m, radius, 1e-7 * radius);
+  EXPECT_NEAR(m.comb_spacing.value(), 1 - m.dominant->order, 1e-9);
+}
+
 }  // namespace
 }  // namespace rubsweep::response::testing

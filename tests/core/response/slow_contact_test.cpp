@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/response/settle.hpp"
@@ -55,6 +56,37 @@ TEST(SlowContact, ItsTurnsAreThoseOfAnExplicitStepper) {
     for (std::size_t i = 0; i < a.section.size(); ++i) EXPECT_NEAR(a.section[i], b.section[i], 1e-7) << k;
   }
   EXPECT_GE(a.effort.adaptive_turns, 1);
+}
+
+/// Beside a slipping contact, dry friction holds the rotor on a stiff stop with a light casing. Steps of the
+/// implicit stepper become long only if its Jacobian contains the holding friction.
+TEST(SlowContact, ADryContactThatSticksBesideASlippingOneIsDecidedByItsWindows) {
+  model::Stop belt, dry;
+  belt.geometry = model::OneSideGeometry{.angle_deg = 330};
+  dry.geometry = model::OneSideGeometry{.angle_deg = -90};
+  belt.clearance_m = dry.clearance_m = 7e-5;
+  belt.stiffness_n_per_m = 4e5;
+  dry.stiffness_n_per_m = 5e8;
+  belt.damping = model::NominalRestitution{.value = 0.6};
+  dry.damping = model::NominalRestitution{.value = 0.9};
+  belt.contact_radius_m = 0.05;
+  belt.friction = model::StribeckFriction{.gamma = {0, 0, 0, 0.3, 40, 0}};
+  dry.contact_radius_m = 0;
+  dry.friction = model::ConstantFriction{0.7};
+  belt.casing = model::Casing{.mass_kg = 0.05, .stiffness_n_per_m = 7e4, .damping_ratio = 0.3};
+  dry.casing = model::Casing{.mass_kg = 0.03, .stiffness_n_per_m = 6e4, .damping_ratio = 0.06};
+  model::Machine both = machine();
+  both.stops = {belt, dry};
+  both.rotor = model::JeffcottRotor{.mass_kg = 2.2, .natural_frequency_hz = 25, .damping_ratio = 0.01};
+  const scene::Cell held = scene::build_cell(both, 0.8, scene::Eccentricity{2e-5});
+  motion::Workspace workspace;
+  motion::ResponseOptions options;
+  options.floquet_proof = false;
+  const SettledRun run = settle(held, {}, options, workspace);
+  EXPECT_EQ(run.outcome, integrate::run::Outcome::ok);
+  EXPECT_EQ(std::string(to_string(run.motion.motion_class)), "synchronous");
+  EXPECT_EQ(run.motion.status, motion::MotionStatus::ok);
+  EXPECT_LT(run.effort.taylor_pieces, 10 * 50'000);
 }
 
 }  // namespace

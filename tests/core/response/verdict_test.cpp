@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "rubsweep/core/integrate/run/state_scale.hpp"
@@ -35,16 +36,18 @@ TEST(VerdictRecordedRun, IsNoneWhereATurnFails) {
   EXPECT_FALSE(recorded_run(test::cell_of({}).scene, solver, {}, 128, workspace));
 }
 
-TEST(VerdictRecordedRun, CheckpointsGiveTheLastSectionTwoWindowsBefore) {
-  Checkpoints passed(10, std::array{-1.0});
-  EXPECT_EQ(passed.before_windows(19), nullptr);
-  for (int k = 1; k <= 57; ++k) {
-    passed.pass(k, std::array{static_cast<double>(k)});
-    const auto* from = passed.before_windows(k);
-    ASSERT_EQ(from != nullptr, k >= 20) << k;
-    if (!from) continue;
-    EXPECT_EQ(from->revolutions, (k - 20) / 10 * 10) << k;
-    EXPECT_EQ(from->section.front(), from->revolutions == 0 ? -1 : static_cast<double>(from->revolutions));
+TEST(VerdictRecordedRun, CheckpointsAreAnEighthOfAWindowApart) {
+  for (const int window : {16, 19, 2}) {
+    const int spacing = (window + 7) / 8;
+    Checkpoints passed(window, std::array{-1.0});
+    for (int k = 1; k <= 10 * window; ++k) {
+      passed.pass(k, std::array{static_cast<double>(k)});
+      for (int back = 0; back <= std::min(k, 2 * window); ++back) {
+        const auto& from = passed.before(k - back);
+        EXPECT_EQ(from.revolutions, (k - back) / spacing * spacing) << window << ' ' << k << ' ' << back;
+        EXPECT_EQ(from.section.front(), from.revolutions == 0 ? -1 : static_cast<double>(from.revolutions));
+      }
+    }
   }
 }
 

@@ -15,6 +15,7 @@ namespace rubsweep::scope {
 
 struct Unsteady {
   double speed_wander = 0;                  ///< largest relative deviation of the speed
+  double speed_cycles = 0;                  ///< cycles of the speed per recording; 0: two random slow waves
   double amplitude_wander = 0;              ///< largest relative deviation of the amplitude
   double other_order = 0, other_share = 0;  ///< a further line, amplitude / 1X
   double other_swing = 0;                   ///< relative modulation of this line, one cycle per recording
@@ -86,8 +87,11 @@ inline recording::Recording recorded(const Unsteady& put, unsigned seed) {
     table.channels[1].values.push_back(read(z.imag() + 100 * put.noise_share * normal(random)));
     table.channels[2].values.push_back(mark_v(angle) + put.mark_noise_v * normal(random));
     // Small steps of the angle, each with its own speed.
-    for (int i = 0; i < 4; ++i)
-      angle += (1 + put.speed_wander * speed.at(share + 0.25 * i / count)) / (4 * put.readings_per_turn);
+    for (int i = 0; i < 4; ++i) {
+      const double at = share + 0.25 * i / count, cycles = put.speed_cycles;
+      const double wave = cycles > 0 ? std::sin(2 * std::numbers::pi * cycles * at) : speed.at(at);
+      angle += (1 + put.speed_wander * wave) / (4 * put.readings_per_turn);
+    }
   }
   const recording::Instrument instrument{.sampling_rate_hz = 50 * put.readings_per_turn,
                                          .probes = {{"X", 0}, {"Y", 90}},

@@ -209,7 +209,7 @@ Unsteady line_between(unsigned seed) {
 }
 
 TEST(UnsteadyRecording, ALineBetweenTheBinsIsWithinItsUncertainties) {
-  Inside sharp, soft, near, coarse, wandering, noisy;
+  Inside sharp, soft, near, coarse, wandering, rounded, noisy;
   for (unsigned seed = 0; seed < recordings(); ++seed) {
     const Unsteady as_put = line_between(seed);
     Unsteady put = as_put;
@@ -229,6 +229,15 @@ TEST(UnsteadyRecording, ALineBetweenTheBinsIsWithinItsUncertainties) {
     put = as_put;
     put.speed_wander = drawn(seed).speed_wander;
     wandering.look(put, seed);
+    // Marks rounded to readings, between which the speed swings: fast lines lose amplitude.
+    put = as_put;
+    put.edge_readings = 0;
+    put.other_order -= 3;
+    put.readings_per_turn = 32 + 4 * (seed % 3);
+    put.turns = 120 + static_cast<int>(seed % 40);
+    put.speed_wander = 2.2e-3;
+    put.speed_cycles = 2 + 0.5 * (seed % 4);
+    rounded.look(put, seed);
     put = as_put;
     put.mark_noise_v = 0.25;
     noisy.look(put, seed);
@@ -238,6 +247,7 @@ TEST(UnsteadyRecording, ALineBetweenTheBinsIsWithinItsUncertainties) {
   near.expect_most("line_near");
   coarse.expect_most("twelve_bits");
   wandering.expect_most("speed_wanders");
+  rounded.expect_most("speed_wanders_beside_sharp_marks", 0.1);
   noisy.expect_most("noise_of_the_mark", 5e-3);
 }
 

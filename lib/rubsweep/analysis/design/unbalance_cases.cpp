@@ -176,10 +176,11 @@ std::vector<UnbalanceCase> WholeRotor::cases(double eccentricity_m, double max_c
 Eigen::MatrixXcd WholeRotor::response(const Eigen::MatrixXcd& unbalance_kg_m, double speed_hz) const {
   const double w = 2 * std::numbers::pi * speed_hz;
   const structure::SpeedMatrices at = structure::matrices_at(rotor_.full, w, w);
-  Eigen::MatrixXcd dynamic(at.mass.rows(), at.mass.cols());
-  dynamic.real() = at.stiffness - w * w * at.mass;
-  dynamic.imag() = w * at.damping;
-  return numerics::solve_banded(std::move(dynamic), w * w * unbalance_kg_m, band_);
+  const auto dynamic = [&](Index row, Index column) {
+    return std::complex<double>(at.stiffness(row, column) - w * w * at.mass(row, column),
+                                w * at.damping(row, column));
+  };
+  return numerics::solve_banded(dynamic, w * w * unbalance_kg_m, band_);
 }
 
 double WholeRotor::bearing_force_n(const Bearing& bearing, const Eigen::VectorXcd& response,

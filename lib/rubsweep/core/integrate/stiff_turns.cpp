@@ -14,6 +14,8 @@ constexpr long least_pieces = 2000;
 /// pieces. Where it follows the fast vibration, it is as short as a piece.
 constexpr long pieces_of_a_step = 8;
 constexpr double tolerance = 1e-9;  ///< Tolerance of the stepper, unless the options require a tighter one.
+/// Number of pieces for each change of contact mode: the vibration that a change excites must decay soon.
+constexpr long pieces_of_a_change = 8000;
 constexpr int longest_wait = 64;
 /// Number of turns after which other solvers are tried again, because closed forms may then apply.
 constexpr int longest_stretch = 128;
@@ -32,7 +34,8 @@ StiffTurns::StiffTurns(const scene::Scene& scene, const run::SolverOptions& opti
 
 void StiffTurns::look(long pieces, long changes) {
   end();
-  if (pieces < least_pieces || changes > 0) return;
+  most_changes_ = pieces / pieces_of_a_change;
+  if (pieces < least_pieces || changes > most_changes_) return;
   due_ = ++waited_ > wait_;
   options_.max_steps_per_revolution = pieces / pieces_of_a_step;
 }
@@ -45,7 +48,7 @@ bool StiffTurns::advance(std::span<const double> section, long revolution, const
   present_ = report.effort;
   waited_ = 0;
   wait_ = made ? 0 : std::clamp(2 * wait_, 1, longest_wait);
-  if (!made || report.effort.switches > before || ++stretch_ >= longest_stretch) end();
+  if (!made || report.effort.switches > before + most_changes_ || ++stretch_ >= longest_stretch) end();
   return made;
 }
 

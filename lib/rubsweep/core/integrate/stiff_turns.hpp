@@ -9,8 +9,8 @@
 namespace rubsweep::integrate {
 
 /// Slow turns with a stiff contact whose vibration has decayed. Taylor pieces last no longer than a few
-/// radians of this vibration, even if it is zero, so that a turn may need fifty thousand of them. Where no
-/// contact changes its mode, an implicit stepper follows only the slow motion, in about a hundred steps.
+/// radians of this vibration, even if it is zero, so that a turn may need fifty thousand of them. Where
+/// contacts rarely change their mode, an implicit stepper follows only the slow motion in some hundred steps.
 class StiffTurns {
  public:
   /// `scene` must outlive this object.
@@ -36,6 +36,7 @@ class StiffTurns {
   run::SolverOptions options_;
   run::Cursor stepper_;  ///< empty while other solvers make the turns
   bool due_ = false;
+  long most_changes_ = 0;      ///< changes of contact mode in a turn that is still stiff
   int wait_ = 0, waited_ = 0;  ///< turns to wait and turns waited before the next attempt
   int stretch_ = 0;            ///< successive turns made here
   run::Effort past_, present_;

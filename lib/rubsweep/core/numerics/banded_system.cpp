@@ -18,10 +18,16 @@ using Eigen::MatrixXd;
 namespace {
 
 /// Complex numbers column by column, with real and imaginary parts in separate arrays: a register then holds
-/// as many parts as real numbers.
+/// as many parts as real numbers. A matrix with a narrow band keeps only the rows that elimination can reach.
 struct SplitColumns {
-  explicit SplitColumns(const MatrixXcd& matrix) : real(matrix.real()), imag(matrix.imag()) {}
+  explicit SplitColumns(const MatrixXcd& matrix)
+      : real(matrix.real()), imag(matrix.imag()), step(matrix.rows()) {}
+  SplitColumns(Eigen::Index size, Eigen::Index band)
+      : real(MatrixXd::Zero(std::min(size, 3 * band + 1), size)), imag(real), step(real.rows()) {
+    if (step < size) first = 2 * band, --step;
+  }
   MatrixXd real, imag;
+  Eigen::Index first = 0, step;  ///< place of row 0 in column 0, and its distance to that in the next column
 };
 
 /// Part of a column.
@@ -40,7 +46,10 @@ struct SplitPart {
   }
 };
 
-SplitPart column(SplitColumns& of, Eigen::Index k) { return {of.real.col(k).data(), of.imag.col(k).data()}; }
+SplitPart column(SplitColumns& of, Eigen::Index k) {
+  const Eigen::Index at = of.first + k * of.step;
+  return {of.real.data() + at, of.imag.data() + at};
+}
 
 /// x -= factor y for the first `count` numbers.
 template <std::size_t bytes>
@@ -72,7 +81,7 @@ template <std::size_t bytes>
 template <std::size_t bytes>
 [[gnu::always_inline]] inline void eliminate(SplitColumns& a, SplitColumns& b, Eigen::Index band) {
   using Eigen::Index;
-  const Index n = a.real.rows();
+  const Index n = a.real.cols();
   std::vector<Index> pivots(static_cast<std::size_t>(n));
   const auto below = [&](Index k) { return std::min(band, n - 1 - k); };
   const auto reduce = [&](const SplitPart& x, Index first, Index last) __attribute__((always_inline)) {
@@ -120,12 +129,18 @@ Eigen::Index band_of(std::initializer_list<const MatrixXd*> matrices) {
   return band;
 }
 
-MatrixXcd solve_banded(MatrixXcd a, MatrixXcd b, Eigen::Index band) {
+MatrixXcd solve_banded(const std::function<std::complex<double>(Eigen::Index, Eigen::Index)>& entry,
+                       MatrixXcd b, Eigen::Index band) {
+  using Eigen::Index;
+  const Index n = b.rows();
   // For larger matrices Eigen's blocks, which stay in the processor's cache, are faster.
-  constexpr Eigen::Index narrow = 6, small = 512;
-  if (a.rows() > small && narrow * band > a.rows()) return dense::solve(a, b);
-  SplitColumns factors(a), x(b);
-  a.resize(0, 0);
+  constexpr Index narrow = 6, small = 512;
+  if (n > small && narrow * band > n) return dense::solve(MatrixXcd(MatrixXcd::NullaryExpr(n, n, entry)), b);
+  SplitColumns factors(n, band), x(b);
+  for (Index k = 0; k < n; ++k) {
+    for (Index i = std::max(Index{0}, k - band); i <= std::min(n - 1, k + band); ++i)
+      column(factors, k).put(i, entry(i, k));
+  }
   in_widest_lanes(
       4, [&]<std::size_t bytes>() __attribute__((always_inline)) { eliminate<bytes>(factors, x, band); });
   b.real() = x.real;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
+#include <functional>
 #include <initializer_list>
 
 namespace rubsweep::numerics {
@@ -9,8 +11,11 @@ namespace rubsweep::numerics {
 Eigen::Index band_of(std::initializer_list<const Eigen::MatrixXd*> matrices);
 
 /// a^-1 b by elimination with column pivoting, where all non-zero numbers of `a` are at most `band` places
-/// away from its diagonal (`band` may be as large as the matrix). With some hundred rows it takes a fraction
-/// of the time of Eigen's complex solver. Not finite where `a` is singular.
-Eigen::MatrixXcd solve_banded(Eigen::MatrixXcd a, Eigen::MatrixXcd b, Eigen::Index band);
+/// away from its diagonal (`band` may be as large as the matrix). `entry(row, column)` gives a number of `a`,
+/// and is asked for those within the band alone. With some hundred rows it takes a fraction of the time of
+/// Eigen's complex solver. Not finite where `a` is singular.
+Eigen::MatrixXcd solve_banded(
+    const std::function<std::complex<double>(Eigen::Index row, Eigen::Index column)>& entry,
+    Eigen::MatrixXcd b, Eigen::Index band);
 
 }  // namespace rubsweep::numerics

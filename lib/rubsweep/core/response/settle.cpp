@@ -102,17 +102,23 @@ bool conclude_on_torus(TorusWatch& torus, const motion::Record& record,
   return true;
 }
 
-/// Concludes a run that reached a limit of work. Two windows after its kick, if it has that many turns, give
-/// its measures.
+/// A stopped run has windows of at least 2 turns and of at most an eighth of its turns: they are computed
+/// again.
+constexpr int shortest_window = 2, windows_of_a_run = 8;
+
+/// Concludes a run that reached a limit of work: its last two windows give its measures.
 void conclude_stopped(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
-                      const motion::ResponseOptions& options, const Checkpoints& passed, double kick_turns,
+                      motion::ResponseOptions options, const Checkpoints& passed, double kick_turns,
                       motion::Workspace& workspace, SettledRun& run) {
   run.motion.motion_class = motion::MotionClass::failed;
-  if (run.outcome != integrate::run::Outcome::step_limit) return;
-  const auto* from = passed.before_windows(run.revolutions);
-  if (!from || static_cast<double>(run.revolutions - 2L * options.window_revolutions) < kick_turns) return;
-  const auto record = recorded_run(integrate::run::scene_at(cell.scene, from->section, from->revolutions),
-                                   solver, options, run.revolutions - from->revolutions, workspace);
+  const double turns = static_cast<double>(run.revolutions) - kick_turns;
+  if (run.outcome != integrate::run::Outcome::step_limit || turns < 2 * shortest_window) return;
+  options.window_revolutions =
+      std::clamp(static_cast<int>(turns / windows_of_a_run), shortest_window, options.window_revolutions);
+  options.max_order = std::min(options.max_order, options.window_revolutions / 2);
+  const auto& from = passed.before(run.revolutions - 2L * options.window_revolutions);
+  const auto record = recorded_run(integrate::run::scene_at(cell.scene, from.section, from.revolutions),
+                                   solver, options, run.revolutions - from.revolutions, workspace);
   if (!record) return;
   run.outcome = integrate::run::Outcome::ok;
   run.motion = {};

@@ -126,23 +126,21 @@ std::optional<motion::Record> recorded_run(const scene::Scene& scene,
 }
 
 Checkpoints::Checkpoints(int window_revolutions, std::span<const double> start)
-    : window_(window_revolutions) {
-  last_[0].section.assign(start.begin(), start.end());
+    : spacing_((window_revolutions + parts - 1) / parts) {
+  for (Checkpoint& checkpoint : last_) checkpoint.section.assign(start.begin(), start.end());
 }
 
 void Checkpoints::pass(long revolutions, std::span<const double> section) {
-  if (revolutions % window_ != 0) return;
+  if (revolutions % spacing_ != 0) return;
   std::rotate(last_.begin(), last_.end() - 1, last_.end());
   last_[0].revolutions = revolutions;
   last_[0].section.assign(section.begin(), section.end());
-  count_ = std::min(count_ + 1, last_.size());
 }
 
-const Checkpoints::Checkpoint* Checkpoints::before_windows(long revolutions) const {
-  for (std::size_t k = 0; k < count_; ++k) {
-    if (last_[k].revolutions + 2L * window_ <= revolutions) return &last_[k];
-  }
-  return nullptr;
+const Checkpoints::Checkpoint& Checkpoints::before(long revolutions) const {
+  const auto found =
+      std::ranges::find_if(last_, [=](const Checkpoint& c) { return c.revolutions <= revolutions; });
+  return found == last_.end() ? last_.back() : *found;
 }
 
 SceneFacts::SceneFacts(const scene::Scene& scene)

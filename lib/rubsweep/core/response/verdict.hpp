@@ -23,8 +23,8 @@ std::optional<motion::Record> recorded_run(const scene::Scene& scene,
                                            const motion::ResponseOptions& options, long turns,
                                            motion::Workspace& workspace);
 
-/// Sections that a run has passed, one window apart. If the run is stopped, its last two windows are computed
-/// again from one of them.
+/// Sections that a run has passed, an eighth of a window apart. If the run is stopped, its last two windows
+/// are computed again from one of them.
 class Checkpoints {
  public:
   struct Checkpoint {
@@ -38,14 +38,13 @@ class Checkpoints {
   /// Notes that the run is at `section` after `revolutions` turns.
   void pass(long revolutions, std::span<const double> section);
 
-  /// Latest checkpoint at least two windows before `revolutions`, the present position of the run; null where
-  /// there is none.
-  const Checkpoint* before_windows(long revolutions) const;
+  /// Latest checkpoint not after `revolutions`, a position of the run at most two windows back.
+  const Checkpoint& before(long revolutions) const;
 
  private:
-  int window_;
-  std::array<Checkpoint, 3> last_;  ///< checkpoints, the newest first
-  std::size_t count_ = 1;
+  static constexpr int parts = 8;  ///< parts of a window
+  int spacing_;
+  std::array<Checkpoint, 2 * parts + 2> last_;  ///< checkpoints, the newest first; at first all at the start
 };
 
 /// Properties of a scene that decide how it is examined, computed once per run.

@@ -171,18 +171,20 @@ double FullReference::rad_per_s(double step) const {
 
 MatrixXcd FullReference::receptance(const Rotor& rotor, std::size_t line, double w, double loss) const {
   const SpeedMatrices& at = rotor.at_lines[line];
-  MatrixXcd dynamic(at.mass.rows(), at.mass.cols());
-  dynamic.real() = at.stiffness - w * w * at.mass;
-  dynamic.imag() = w * at.damping + loss * at.stiffness;
-  if (lines_[line].with_the_force) {
-    dynamic.imag() += w * w * rotor.matrices.system.gyroscopic;
-    if (rotor.matrices.circulatory.size() > 0)
-      dynamic += std::complex<double>(w, loss * w) * rotor.matrices.circulatory;
-  }
+  const bool with_the_force = lines_[line].with_the_force;
+  const Eigen::MatrixXd& circulatory = rotor.matrices.circulatory;
+  const auto transposed_dynamic = [&](Index column, Index row) {
+    std::complex<double> value(at.stiffness(row, column) - w * w * at.mass(row, column),
+                               w * at.damping(row, column) + loss * at.stiffness(row, column));
+    if (!with_the_force) return value;
+    value += std::complex<double>(0, w * w * rotor.matrices.system.gyroscopic(row, column));
+    if (circulatory.size() > 0) value += std::complex<double>(w, loss * w) * circulatory(row, column);
+    return value;
+  };
   // The equations are solved from the left, because there are few responses, whereas forces act wherever the
   // shaft has unbalance.
   const MatrixXcd left = numerics::solve_banded(
-      dynamic.transpose(), rotor.responses.transpose().cast<std::complex<double>>(), rotor.band);
+      transposed_dynamic, rotor.responses.transpose().cast<std::complex<double>>(), rotor.band);
   MatrixXcd value(rotor.responses.rows(), rotor.forces.cols());
   value.real() = left.real().transpose() * rotor.forces;
   value.imag() = left.imag().transpose() * rotor.forces;

@@ -44,6 +44,15 @@ Scale scale_of(std::span<const response::spectrum::ResolvedLine> lines, double p
   return {1, room / std::sqrt(12.0)};
 }
 
+/// Half of the share of its amplitude that a line of order 1 loses by angles at the ends of their intervals;
+/// for other lines it grows with the square of the order.
+double blurred_share(const recording::AngleDoubt& doubt) {
+  double squares = 0;
+  for (std::size_t k = 0; k < doubt.low_turns.size(); ++k)
+    squares += std::pow(2 * std::numbers::pi * (doubt.high_turns[k] - doubt.low_turns[k]), 2);
+  return squares / (16 * static_cast<double>(std::max(doubt.low_turns.size(), std::size_t{1})));
+}
+
 /// Width of a bin, in orders.
 double bin_of(std::size_t turns) { return 1 / static_cast<double>(std::min(turns, most_resolved_turns)); }
 
@@ -80,6 +89,7 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
        .highest = highest},
       workspace);
   const Scale scale = scale_of(found, per_turn, turns, reading.angle_doubt);
+  const double blurred = blurred_share(reading.angle_doubt);
   std::vector<DiscreteLine> lines;
   for (const response::spectrum::ResolvedLine& line : found) {
     const double order = scale.factor * line.frequency * per_turn;
@@ -89,7 +99,8 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
     if (std::abs(order) < reading.integration.lowest_order || size < least.floor_m) continue;
     lines.push_back(
         {order, std::hypot(line.frequency_uncertainty * per_turn, order * scale.uncertainty), size,
-         std::hypot(integrated * line.amplitude_uncertainty, reading.missed_share(order) * size),
+         std::hypot(integrated * line.amplitude_uncertainty, reading.missed_share(order) * size,
+                    std::min(1.0, blurred * order * order) * size),
          // Phase at the beginning of the turns that the orbit shows.
          std::arg(line.amplitude) - std::copysign(reading.integration.times * std::numbers::pi / 2, order) +
              2 * std::numbers::pi * order *
@@ -138,6 +149,9 @@ void add_uncertainties(const Reading& reading, Verdict& verdict) {
   for (MeasuredLine& line : verdict.lines) {
     const double size = std::abs(line.amplitude_m);
     double method = reading.missed_share(line.order) * size;
+    // A mean of periods loses 1 - sin(x) / x of a line that turns by 2 x relative to it.
+    const double turned_rad = std::numbers::pi * verdict.order_room.value_or(0) * verdict.turns;
+    if (line.order != std::round(line.order)) method = std::hypot(method, size * turned_rad * turned_rad / 6);
     if (!verdict.period && line.order != 0) {
       const DiscreteLine* own = line_of_bin(verdict, line.order);
       const Complex true_m = own ? std::polar(own->amplitude_m, own->phase_rad) : Complex();

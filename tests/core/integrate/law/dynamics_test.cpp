@@ -161,6 +161,31 @@ void check_jacobian() {
 TEST(Dynamics, JacobianOfEveryMode) { check_jacobian<false>(); }
 TEST(Dynamics, JacobianOfTheSmoothedLaw) { check_jacobian<true>(); }
 
+/// A force that changes with time changes the friction that holds a contact as well.
+TEST(Dynamics, JacobianOfAStickingContactHasTheChangeOfItsFriction) {
+  auto scene = test::one_mass_scene(2, 100, 1, 0.1, 1e-3);
+  scene.harmonic_n << 0.3, std::complex<double>(0.1, -0.3);
+  scene.contacts.push_back(test::wall_across_x(1, 1e-3, 5e4, 10));
+  scene.contacts[0].friction = model::ConstantFriction{0.4};
+  scene.displacement_m << 1.2e-3, 0;
+  const auto system = run::scale<2>(scene);
+  Dynamics<2, false> dynamics(system, 0);
+  dynamics.modes()[0] = contact::Mode::sprung;
+  dynamics.slips()[0] = contact::Slip::sticking;
+  const std::vector<double> state = run::scaled_initial_state(scene);
+  const double phase = 0.7, h = 1e-6;
+  std::vector<double> by_phase(4), plus(4), minus(4);
+  Eigen::MatrixXd by_state(4, 4);
+  const auto entry = [&](std::size_t row, std::size_t column) -> double& {
+    return by_state(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+  };
+  dynamics.jacobian(state, entry, phase, by_phase);
+  dynamics(state, plus, phase + h);
+  dynamics(state, minus, phase - h);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(by_phase[i], (plus[i] - minus[i]) / (2 * h), 1e-7) << i;
+  EXPECT_NE(by_phase[2], 0);
+}
+
 TEST(DynamicsScaledSystem, RefusesTheWrongSize) {
   EXPECT_THROW(run::scale<2>(test::cell_of({}).scene), std::logic_error);
 }

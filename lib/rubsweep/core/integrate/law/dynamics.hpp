@@ -116,6 +116,7 @@ class Dynamics : public ContactForces<N, Smoothed> {
     for_each_acting_pulse([&](const auto& pulse, double elapsed) {
       force_rate += pulse.top * (pulse.rate * std::cos(pulse.rate * (elapsed + phase)));
     });
+    this->keep_sticking(state, Eigen::Map<Eigen::VectorXd>(&phase_rate[0], 2 * n));
   }
 
   /// State with which a run starts at `section`.

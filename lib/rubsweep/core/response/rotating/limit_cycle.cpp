@@ -12,11 +12,10 @@
 namespace rubsweep::response::rotating {
 namespace {
 
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double first_tolerance = 1e-4, rough_tolerance = 1e-6, tolerance_of_a_cycle = 1e-8;
-
-using Eigen::MatrixXd;
 
 constexpr numerics::NewtonLimits cycle_newton{.iterations = 8, .free_iterations = 3, .growth = 0.5};
 /// Largest return error of a guess. In figure 11, 40 of 715 guesses had larger errors, and none of them led

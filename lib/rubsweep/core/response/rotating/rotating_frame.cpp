@@ -5,6 +5,8 @@
 #include <complex>
 #include <numbers>
 
+#include "rubsweep/core/integrate/law/settle_slips.hpp"
+
 namespace rubsweep::response::rotating {
 namespace {
 
@@ -29,6 +31,9 @@ bool turns_forward(const Eigen::VectorXcd& force) {
   }
   return true;
 }
+
+/// Slip, as a share of the surface speed, that Newton's iteration for a rolling motion may leave.
+constexpr double rolls_below = 1e-6;
 
 }  // namespace
 
@@ -69,6 +74,12 @@ auto RotatingField::at(const VectorXd& state, const Visit& visit) const {
 VectorXd RotatingField::rate(const VectorXd& state) const {
   return at(state, [&](const auto& law) -> VectorXd {
     VectorXd rate(state.size());
+    if (!smoothed_) {
+      integrate::law::settle_slips(located_law_, state, rate, 0.0, [&](std::size_t i) {
+        const double surface = system_.contacts[i].surface_speed_m_per_s;
+        return std::abs(located_law_.slip_m_per_s(i, state)) < rolls_below * surface;
+      });
+    }
     law(state, rate, 0.0);
     return rate - turned(state, std::numbers::pi / 2);
   });

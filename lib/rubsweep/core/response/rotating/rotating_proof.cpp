@@ -63,6 +63,22 @@ constexpr proof::Patience patience_for_a_circle{.start = 200, .most = 200};
 /// transient.
 constexpr double turns_for_cycles = 32, share_for_cycles = 0.15;
 
+/// Order above which a whirl has fewer than four fine samples, and the largest that is looked for.
+constexpr double fast_whirl = fine_samples / 4, most_order = 1e5;
+
+/// Mean order of the whirl in a turn; its whole revolutions are nearest to the rate of the state `after`.
+double mean_order(const scene::Scene& scene, const VectorXd& before, const VectorXd& after) {
+  const auto observed = [&](const VectorXd& part) {
+    const Eigen::Vector2d z = scene::observed(scene) * part;
+    return std::complex(z.x(), z.y());
+  };
+  const Eigen::Index n = after.size() / 2;
+  const std::complex<double> z = observed(after.head(n));
+  const double rate = (observed(after.tail(n)) / z).imag(),
+               angle = std::arg(z / observed(before.head(n))) / numerics::full_turn;
+  return angle + std::round(rate - angle);
+}
+
 }  // namespace
 
 RotatingProof::RotatingProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
@@ -85,11 +101,15 @@ int RotatingProof::samples_wanted() const {
 
 std::optional<motion::ProvenMotion> RotatingProof::look(const integrate::run::TurnReport& turn) {
   ++looked_at_;
+  const double allowed = turns_for_cycles + share_for_cycles * static_cast<double>(looked_at_);
+  may_try_cycles_ = spent_on_cycles_rad_ <= numerics::full_turn * allowed;
   free_turns_ = turn.touched ? 0 : free_turns_ + 1;
   const VectorXd section =
       Eigen::Map<const VectorXd>(turn.section.data(), static_cast<Eigen::Index>(turn.section.size()));
   auto found = look_for_circle(section, turn);
   if (!found) found = look_for_cycle(section, turn);
+  if (!found) found = look_for_fast_whirl(section, turn);
+  last_section_ = section;
   return found;
 }
 
@@ -159,28 +179,43 @@ std::optional<motion::ProvenMotion> RotatingProof::look_for_cycle(const VectorXd
   if (!maxima_) maxima_.emplace(scene_);
   maxima_->add(turn);
   if (turn.sample_count >= fine_samples) many_maxima_ = maxima_->maxima_in_turn() > few_maxima;
-  const double allowed = turns_for_cycles + share_for_cycles * static_cast<double>(looked_at_);
-  if (spent_on_cycles_rad_ > numerics::full_turn * allowed) return std::nullopt;
+  if (!may_try_cycles_) return std::nullopt;
   const auto candidate = maxima_->candidate();
   if (!candidate) return std::nullopt;
-  RotatingMotion motion = flows_.motion(field_);
+  auto proven =
+      proven_cycle(flows_, finer * options_.samples_per_revolution, section, candidate->periods_rad);
+  if (!proven) maxima_->refuse(*candidate);
+  return proven;
+}
+
+/// The samples of a turn do not resolve a whirl many times as fast as the shaft, such as rolling. Its period
+/// follows from the angle of whole turns.
+std::optional<motion::ProvenMotion> RotatingProof::look_for_fast_whirl(
+    const VectorXd& section, const integrate::run::TurnReport& turn) {
+  if (last_section_.size() == 0 || turn.hits > 0 || !turn.touching_at_end) return std::nullopt;
+  const double order = mean_order(scene_, last_section_, section), size = std::abs(order);
+  if (!(size > fast_whirl && size < most_order && may_try_cycles_)) return std::nullopt;
+  const int samples = static_cast<int>(size) * options_.samples_per_revolution;
+  CycleFlows flows(scene_, solver_, samples);
+  return proven_cycle(flows, samples, section, {numerics::full_turn / std::abs(order - 1)});
+}
+
+std::optional<motion::ProvenMotion> RotatingProof::proven_cycle(CycleFlows& flows, int samples_per_revolution,
+                                                                const VectorXd& section,
+                                                                const std::vector<double>& periods_rad) {
+  RotatingMotion motion = flows.motion(field_);
   for (RotatingMotion::Flow* flow : {&motion.at_first, &motion.roughly, &motion.exactly}) {
     *flow = [this, follow = std::move(*flow)](const VectorXd& state, double angle_rad) {
       spent_on_cycles_rad_ += angle_rad;
       return follow(state, angle_rad);
     };
   }
-  const auto cycle = prove_limit_cycle(motion, section, candidate->periods_rad);
-  if (cycle && cycle->once.contact_fraction > 0 && !returns_with_the_shaft(*cycle)) {
-    motion::ResponseOptions fine = options_;
-    fine.samples_per_revolution *= finer;
-    return motion::ProvenMotion{motion::MotionClass::quasi_periodic,
-                                {},
-                                measure_cycle(scene_, cycle->once, fine, workspace_),
-                                cycle->floquet_modulus};
-  }
-  maxima_->refuse(*candidate);
-  return std::nullopt;
+  const auto cycle = prove_limit_cycle(motion, section, periods_rad);
+  if (!cycle || !(cycle->once.contact_fraction > 0) || returns_with_the_shaft(*cycle)) return std::nullopt;
+  motion::ResponseOptions fine = options_;
+  fine.samples_per_revolution = samples_per_revolution;
+  const motion::Measures measures = measure_cycle(scene_, cycle->once, fine, workspace_);
+  return motion::ProvenMotion{motion::MotionClass::quasi_periodic, {}, measures, cycle->floquet_modulus};
 }
 
 /// Whether a whole number of periods fits into a few turns, within the accuracy of a section. The motion is

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "rubsweep/core/integrate/run/turn.hpp"
 #include "rubsweep/core/response/motion/motion.hpp"
@@ -58,6 +59,11 @@ class RotatingProof {
                                                       const integrate::run::TurnReport& turn);
   std::optional<motion::ProvenMotion> look_for_cycle(const Eigen::VectorXd& section,
                                                      const integrate::run::TurnReport& turn);
+  std::optional<motion::ProvenMotion> look_for_fast_whirl(const Eigen::VectorXd& section,
+                                                          const integrate::run::TurnReport& turn);
+  std::optional<motion::ProvenMotion> proven_cycle(CycleFlows& flows, int samples_per_revolution,
+                                                   const Eigen::VectorXd& section,
+                                                   const std::vector<double>& periods_rad);
   bool comes_near_to(const RotatingEquilibrium& circle, std::span<const double> section);
   motion::ProvenMotion measured(const RotatingEquilibrium& circle);
   bool returns_with_the_shaft(const LimitCycle& cycle) const;
@@ -72,7 +78,9 @@ class RotatingProof {
   proof::PeriodSearch turns_;
   std::optional<ApexReturnSearch> maxima_;  ///< empty after a turn without samples
   std::optional<proof::SceneMap> turn_map_;
-  bool many_maxima_ = true;  ///< true: many maxima in the last turn with the largest number of samples
+  bool many_maxima_ = true;       ///< true: many maxima in the last turn with the largest number of samples
+  bool may_try_cycles_ = true;    ///< true: Newton's iteration has followed less than it may
+  Eigen::VectorXd last_section_;  ///< at the end of the turn before; empty at the start
   int free_turns_ = 0;
   long looked_at_ = 0;              ///< number of turns examined so far
   double spent_on_cycles_rad_ = 0;  ///< rotation followed by Newton's iteration
