@@ -74,7 +74,9 @@ TEST(ScopeTables, ALineBesideItsMultipleIsWithinItsUncertainties) {
     if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", &of_bin, &ignored, &ignored,
                     &ignored, &ignored, &found_order, &doubt, &amplitude_m, &uncertainty_m) != 9)
       continue;
-    if (of_bin == 1) EXPECT_EQ(doubt, 0);
+    if (of_bin == 1) {
+      EXPECT_EQ(doubt, 0);
+    }
     if (std::abs(of_bin - order) > 0.05) continue;
     found = true;
     EXPECT_LE(std::abs(found_order - order), 2 * doubt);
