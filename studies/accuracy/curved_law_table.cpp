@@ -1,10 +1,12 @@
 // Errors of runs with contacts whose law is not linear: random machines against their equations in long
 // double, in clearances over the growth of a disturbance. A line for each machine, then one for each law.
+// With `steppers`: against runs by steppers alone, which take a hundredth of the time.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -25,33 +27,45 @@ struct Found {
   double growth = 0, error = 0;
 };
 
-std::vector<double> reference_section(const RandomMachine& machine, int turns, long double moved_m) {
+std::vector<double> section_of(const scene::Scene& scene, int turns, run::Method method,
+                               int* hits = nullptr) {
+  exact::modes::ModeCache modes;
+  run::SolverOptions options;
+  options.relative_tolerance = 1e-13;
+  options.method = method;
+  const run::Run run = start(scene, options, modes);
+  run::TurnReport turn;
+  for (int k = 0; k < turns; ++k) {
+    if (run.advance({}, turn) != run::Outcome::ok) std::printf("a turn failed\n");
+    if (hits) *hits += turn.hits;
+  }
+  return turn.section;
+}
+
+std::vector<double> expected_section(const RandomMachine& machine, int turns, long double moved_m,
+                                     bool steppers) {
+  if (steppers) {
+    scene::Scene scene = machine.scene;
+    scene.displacement_m(1) += double(moved_m);
+    return section_of(scene, turns, run::Method::adaptive);
+  }
   Reference reference = machine.reference();
   reference.longest = 1e-3L;
   reference.state[1] += moved_m;
   return reference.after_turns(turns);
 }
 
-Found examine(const RandomMachine& machine, int turns) {
-  exact::modes::ModeCache modes;
-  run::SolverOptions options;
-  options.relative_tolerance = 1e-13;
-  const run::Run run = start(machine.scene, options, modes);
-  run::TurnReport turn;
+Found examine(const RandomMachine& machine, int turns, bool steppers) {
   Found found;
-  for (int k = 0; k < turns; ++k) {
-    if (run.advance({}, turn) != run::Outcome::ok) std::printf("a turn failed\n");
-    found.hits += turn.hits;
-  }
+  const std::vector<double> section = section_of(machine.scene, turns, run::Method::automatic, &found.hits);
   double clearance_m = 1;
   for (const model::Stop& stop : machine.stops) clearance_m = std::min(clearance_m, stop.clearance_m);
-  constexpr long double disturbance_m = 1e-12L;
-  const std::vector<double> expected = reference_section(machine, turns, 0);
+  const long double disturbance_m = steppers ? 1e-10L : 1e-12L;
+  const std::vector<double> expected = expected_section(machine, turns, 0, steppers);
   const double unit_m = machine.scene.length_scale_m;
-  found.growth = test_curved::distance(expected, reference_section(machine, turns, disturbance_m)) * unit_m /
-                 double(disturbance_m);
-  found.error =
-      test_curved::distance(turn.section, expected) * unit_m / clearance_m / std::max(1.0, found.growth);
+  const std::vector<double> moved = expected_section(machine, turns, disturbance_m, steppers);
+  found.growth = test_curved::distance(expected, moved) * unit_m / double(disturbance_m);
+  found.error = test_curved::distance(section, expected) * unit_m / clearance_m / std::max(1.0, found.growth);
   return found;
 }
 
@@ -73,8 +87,9 @@ std::vector<std::string> laws_of(const RandomMachine& machine) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 4) {
-    std::printf("usage: curved_law_table FIRST LAST TURNS\n");
+  const bool steppers = count == 5 && std::string_view(arguments[4]) == "steppers";
+  if (count != 4 && !steppers) {
+    std::printf("usage: curved_law_table FIRST LAST TURNS [steppers]\n");
     return 2;
   }
   const auto first = unsigned(std::atoi(arguments[1])), last = unsigned(std::atoi(arguments[2]));
@@ -82,7 +97,7 @@ int main(int count, char** arguments) {
   std::printf("seed,hits,growth,error\n");
   for (unsigned seed = first; seed <= last; ++seed) {
     const RandomMachine machine(seed);
-    const Found found = examine(machine, std::atoi(arguments[3]));
+    const Found found = examine(machine, std::atoi(arguments[3]), steppers);
     std::printf("%u,%d,%.3g,%.2e\n", seed, found.hits, found.growth, found.error);
     std::fflush(stdout);
     errors["all"].push_back(found.error);

@@ -116,6 +116,26 @@ TEST(CurvedContact, EachDampingReturnsItsClosedFormOverThreeDecadesOfSpeed) {
   }
 }
 
+/// Errors of the delivered restitution in percent, with the exponent 1.5, as others computed them by a
+/// classical Runge-Kutta method and by Radau's: https://github.com/aaaaaaaaaaaavm/VOLLEY-thesis,
+/// validation/A68_contact_law.md of 22 August 2026, which also gives c v0 = 0.6348 for the restitution 0.7.
+TEST(CurvedContact, AgreesWithAPublishedTableOfRestitutions) {
+  struct Row {
+    double nominal, lankarani_nikravesh, hunt_crossley;
+  };
+  const auto delivered = [](ImpactDamping damping, double e) {
+    return impact(flight(power_stop(1e4, 1.5, damping, e), 1)).restitution;
+  };
+  for (const Row& row :
+       {Row{0.9, 1.5, 1.0}, {0.7, 13.7, 9.7}, {0.5, 45, 32.6}, {0.3, 128.1, 93.8}, {0.2, 236.1, 173.4}}) {
+    const double e = row.nominal, of_hunt_crossley = delivered(ImpactDamping::hunt_crossley, e),
+                 of_lankarani = delivered(ImpactDamping::lankarani_nikravesh, e);
+    EXPECT_NEAR(100 * (of_hunt_crossley / e - 1), row.hunt_crossley, 0.0501) << e;
+    EXPECT_NEAR(100 * (of_lankarani / e - 1), row.lankarani_nikravesh, 0.0501) << e;
+  }
+  EXPECT_NEAR(delivered(ImpactDamping::hunt_crossley, 1 - 0.6348 / 1.5), 0.7, 2e-5);
+}
+
 /// Both curves are K p^2 at their points, of which the impact passes two thirds, in and out.
 TEST(CurvedContact, StepsEndAtThePointsOfACurveUnlessTheyAreMany) {
   const auto seen = [](int points) {

@@ -67,7 +67,8 @@ void expect_equal_turns(const scene::Scene& scene, int turns, double tolerance, 
 
 TEST(FlightRun, RandomMachinesMoveAsTheStepperAloneMovesThem) {
   int hits = 0, moved = 0;
-  for (const unsigned seed : {1U, 4U, 7U, 10U, 12U, 16U})
+  // In the last, a contact touches while another is deep.
+  for (const unsigned seed : {1U, 4U, 7U, 10U, 12U, 16U, 160U})
     expect_equal_turns(RandomMachine(seed).scene, 3, 1e-9, hits, moved);
   EXPECT_GT(hits, 20);
   EXPECT_GT(moved, 12);

@@ -117,5 +117,22 @@ TEST(SeriesStep, MovesTangentVectorsOverItsSteps) {
   EXPECT_NEAR(vectors(0, 4) / (end_phase - at.step.start_phase), 1, 1e-3);
 }
 
+/// To ten times the accuracy of the motion itself: over the whole step the series of the vectors end too
+/// soon.
+TEST(SeriesStep, HalvesAStepThatIsTooLongForTangentVectors) {
+  Touching at(1.5);
+  LawOfSteps<law::Dynamics<4, false>> law(at.law);
+  double size = 1e-3;
+  const auto series = std::make_unique<SeriesStep<4>>(at.law, run::SolverOptions{});
+  ASSERT_TRUE(series->try_step(law, at.step, size));
+  const auto moved = [&](double accuracy) {
+    Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(8, 8);
+    Eigen::Map<Eigen::MatrixXd> map(vectors.data(), 8, 8);
+    EXPECT_TRUE(series->move_tangents(at.step, at.step.end_phase, {}, accuracy, map));
+    return vectors;
+  };
+  EXPECT_LT((moved(1e-12) - moved(1e-8)).norm(), 1e-6);
+}
+
 }  // namespace
 }  // namespace rubsweep::integrate::adaptive

@@ -15,7 +15,7 @@
 namespace rubsweep::integrate::adaptive {
 
 /// Method that makes steps by power series of a regular time (taylor::RegularExpansion), each as long as they
-/// are accurate: to a share of the tolerance, at least to 1e-12. Steps that have no such series, or whose
+/// are accurate: to a share of the tolerance, at least to 1e-11. Steps that have no such series, or whose
 /// friction is stiff, are made by the stepper of the options.
 template <int N>
 class SeriesStep final : public StepMethod {
@@ -27,6 +27,7 @@ class SeriesStep final : public StepMethod {
       : law_(law),
         motion_(law.system(), std::clamp(options.relative_tolerance * share_of_tolerance,
                                          taylor::rounding_of_series, least_accuracy)),
+        rest_(motion_),
         tangents_(law.system()),
         other_(make_step_method(options)),
         stiff_above_(run::stiff_friction_ratio(options.relative_tolerance)) {}
@@ -45,8 +46,26 @@ class SeriesStep final : public StepMethod {
 
   bool move_tangents(const Step& step, double end_phase, const std::vector<std::size_t>& remembering,
                      double accuracy, Eigen::Map<Eigen::MatrixXd>& vectors) override {
-    return step.knows_modes &&
-           tangents_.pass(motion_, time_at(step, end_phase), accuracy, remembering, vectors);
+    if (!step.knows_modes) return false;
+    double s = time_at(step, end_phase), phase_rad = step.start_phase;
+    taylor::RegularExpansion<N>* motion = &motion_;
+    kept_ = vectors;
+    // Series of the vectors may converge more slowly than those of the motion: halves, and a new expansion.
+    for (int part = 0; part < most_parts; ++part) {
+      double until = s;
+      int tries = 0;
+      for (; tries < most_parts && !tangents_.pass(*motion, until, accuracy, remembering, vectors); ++tries)
+        until /= 2;
+      if (tries == most_parts) break;
+      phase_rad += motion->time().phase_after(until);
+      if (until == s && motion == &motion_) return true;
+      if (phase_rad >= end_phase - shortest_rad) return true;
+      if (!expand_rest(*motion, until, phase_rad)) break;
+      motion = &rest_;
+      s = rest_.time().parameter_at(end_phase - phase_rad, rest_.converged());
+    }
+    vectors = kept_;
+    return false;
   }
 
   void restart() override { other_->restart(); }
@@ -54,11 +73,21 @@ class SeriesStep final : public StepMethod {
 
  private:
   /// Accuracy of the series over the tolerance, and its largest value.
-  static constexpr double share_of_tolerance = 1e-4, least_accuracy = 1e-12;
+  static constexpr double share_of_tolerance = 1e-3, least_accuracy = 1e-11;
   static constexpr double shortest_rad = 1e-13;
+  static constexpr int most_parts = 6;  ///< of a step, for tangent vectors
 
   double time_at(const Step& step, double phase) const {
     return phase >= end_phase_ ? end_ : motion_.time().parameter_at(phase - step.start_phase, end_);
+  }
+
+  /// Expands the rest of the step of `motion` from `s`, the phase `phase_rad`, on.
+  bool expand_rest(const taylor::RegularExpansion<N>& motion, double s, double phase_rad) {
+    state_.resize(static_cast<std::size_t>(2 * law_.system().coordinates()));
+    rate_.resize(state_.size());
+    motion.put_state(s, state_.data());
+    law_(state_, rate_, phase_rad);
+    return rest_.expand(state_, rate_, phase_rad, law_);
   }
 
   bool go_on(Step& step) {
@@ -82,10 +111,12 @@ class SeriesStep final : public StepMethod {
   }
 
   const Law& law_;
-  taylor::RegularExpansion<N> motion_;
+  taylor::RegularExpansion<N> motion_, rest_;  ///< of a step, and of its later parts
   taylor::RegularTangents<N> tangents_;
   std::unique_ptr<StepMethod> other_;
   double stiff_above_;
+  State state_, rate_;
+  Eigen::MatrixXd kept_;
   double end_ = 0, end_phase_ = 0;  ///< end of the last step by series, in their time and as a phase
 };
 

@@ -41,7 +41,9 @@ class RegularExpansion {
     for (int k = 0; k <= order; ++k)
       largest_term_[static_cast<std::size_t>(k)] =
           k >= order - 1 ? accuracy_ : std::pow(accuracy_, static_cast<double>(k) / order);
-    touching_.reserve(contacts_.size());
+    for (auto* list : {&touching_, &near_}) list->reserve(contacts_.size());
+    touches_.reserve(contacts_.size());
+    reach_.resize(system.coordinates());
     pulses_.reserve(system.pulses.size());
   }
 
@@ -59,13 +61,9 @@ class RegularExpansion {
       if (k == 0 && pacer_ && pacer_->root()[0] == 0 && pacer_->closing_term(0) <= 0) return false;
       advance(k);
     }
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const bool open = contacts_[i].mode() == contact::Mode::open;
-      for (int k = open ? 0 : order; k <= order; ++k) put_distance(i, k);
-      if (open)
-        contacts_[i].make_open_penetration(order);
-      else
-        put_velocity(i, order);
+    for (const Touch& touch : touches_) {
+      if (pacer_) put_distance(touch, order);
+      touch.contact->set_velocity(order, series_.velocity(*touch.scaled, order));
     }
     return true;
   }
@@ -85,12 +83,36 @@ class RegularExpansion {
       longest = numerics::longest_below(longest, std::abs(pacer_->root()[k]), k,
                                         largest_term_[static_cast<std::size_t>(k)] * root);
     }
-    for (RegularContact& contact : contacts_)
-      longest = guards_converged_rad(contact, order, accuracy_, longest);
+    near_.clear();
+    series_.put_reach(longest, reach_);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (contacts_[i].mode() == contact::Mode::open) {
+        if (stays_open(i)) continue;
+        const Touch open{&contacts_[i], &system_.contacts[i]};
+        for (int k = 0; k <= order; ++k) put_distance(open, k);
+        contacts_[i].make_open_penetration(order);
+      }
+      near_.push_back(i);
+      longest = guards_converged_rad(contacts_[i], order, accuracy_, longest);
+    }
     return longest;
   }
   /// Largest advance of the phase within s = `end`: up to it, polynomials treat rounding as the motion would.
-  double most_rad(double end) const { return longest_times_fastest / fastest(end); }
+  double most_rad(double end) const {
+    const double structure = structure_rate_ * structure_rate_;
+    double square = structure, linear = 1, damping = 0;
+    for (const std::size_t i : touching_) {
+      const RegularContact& c = contacts_[i];
+      double deepest = std::max(0.0, c.penetration_term(0));
+      if (c.is_pace()) deepest = std::max(deepest, numerics::power(time_.pace_at(end), 2));
+      square += c.power().slope(deepest) * laws_[i].mobility;
+      damping += c.impact_damping() * c.power().force_n(deepest) * laws_[i].mobility;
+    }
+    linear += damping;
+    // A fast vibration that is well damped dies out within a step, and so may a larger error of it.
+    const bool dies_out = touching_.size() == 1 && 4 * structure < square && damping * damping > square / 4;
+    return (dies_out ? longest_of_damped : longest_times_fastest) / std::max(linear, std::sqrt(square));
+  }
 
   /// First change of a contact's mode up to s = `end`, which moves there; without a contact if there is none.
   /// False where a guard is past zero at the start.
@@ -99,16 +121,18 @@ class RegularExpansion {
     contact::Mode next = contact::Mode::open;
   };
   bool find_event(double& end, Event& event) {
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    std::array<double, std::size_t{order}> powers;
+    numerics::put_powers(end, order, powers.data());
+    for (const std::size_t i : near_) {
       RegularContact& contact = contacts_[i];
       // Whether the guard is not past zero at the start; its first rise becomes the event.
       const auto look = [&](contact::Mode next, const auto& term) {
         std::array<double, std::size_t{order}> guard;
-        double power = 1;
-        for (int k = 0; k < order; ++k, power *= end) guard[static_cast<std::size_t>(k)] = power * term(k);
+        for (std::size_t k = 0; k < guard.size(); ++k) guard[k] = powers[k] * term(static_cast<int>(k));
         const auto rise = first_rise(guard, accuracy_);
         if (!rise) return true;
         end *= *rise;
+        numerics::put_powers(end, order, powers.data());
         event = {i, next};
         return *rise > 0;
       };
@@ -128,8 +152,10 @@ class RegularExpansion {
           }))
         return false;
       const double share = saturated_share(contact, order, end);
-      if (share < 1) event = {};
+      if (share == 1) continue;
+      event = {};
       end *= share;
+      numerics::put_powers(end, order, powers.data());
     }
     return true;
   }
@@ -147,6 +173,9 @@ class RegularExpansion {
   /// Without other forces, only each fifth term (with n = 2.5 each seventh) of a series is not zero.
   static constexpr int most_gap = 6;
   static constexpr double longest_parameter = 1e6;
+  /// As longest_times_fastest, for a contact mode whose damping ratio is at least 1/4: 10^25 / 25! = 0.6 and
+  /// e^(-10 / 4) = 0.08 are less than 1 together.
+  static constexpr double longest_of_damped = 10;
 
   void start_pulses(double phase_rad, const run::PulseTimes& pulses) {
     pulses_.clear();
@@ -162,6 +191,7 @@ class RegularExpansion {
   template <class State>
   bool begin_contacts(const State& state, const State& rate, const law::Dynamics<N, false>& law) {
     touching_.clear();
+    touches_.clear();
     pacer_ = nullptr;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const contact::Mode mode = law.modes()[i];
@@ -175,7 +205,11 @@ class RegularExpansion {
       if (paces) pacer_ = &c;
       c.begin_power(law.impact_damping(i), paces);
       touching_.push_back(i);
+      touches_.push_back({&c, &system_.contacts[i]});
     }
+    time_.even = !pacer_;
+    if (time_.even) return true;
+    for (const Touch& touch : touches_) touch.contact->follow_pace();
     return true;
   }
 
@@ -185,19 +219,30 @@ class RegularExpansion {
     const PowerLaw& power = contacts_[i].power();
     const double p = k.penetration;
     if (p <= 0) return false;
-    constexpr double share = 0.5;
+    constexpr double share = 0.3;
     const double square = laws_[i].mobility * power.slope(p);
     return square * p * p > share * share * k.closing_speed * k.closing_speed &&
            2 * square * p > share * share * std::abs(k.closing_acceleration);
   }
 
-  void put_distance(std::size_t i, int k) {
+  /// Whether an open contact surely stays so as long as no coordinate goes beyond `reach_`.
+  bool stays_open(std::size_t i) {
     const auto& c = system_.contacts[i];
-    const numerics::Twin distance = series_.distance(c, k);
-    contacts_[i].set_distance(k, k == 0 ? distance + numerics::Twin{c.offset[0], c.offset[1]} : distance);
+    const numerics::Twin from = series_.distance(c, 0) + numerics::Twin{c.offset[0], c.offset[1]};
+    const double first = c.first_row.cwiseAbs().dot(reach_.transpose());
+    if (!laws_[i].annular) return from[0] + first < laws_[i].clearance;
+    const double second = c.second_row.cwiseAbs().dot(reach_.transpose());
+    return std::hypot(std::abs(from[0]) + first, std::abs(from[1]) + second) < laws_[i].clearance;
   }
-  void put_velocity(std::size_t i, int k) {
-    contacts_[i].set_velocity(k, series_.velocity(system_.contacts[i], k));
+
+  struct Touch {
+    RegularContact* contact = nullptr;
+    const run::ScaledContact<N>* scaled = nullptr;
+  };
+  void put_distance(const Touch& touch, int k) {
+    const auto& c = *touch.scaled;
+    const numerics::Twin distance = series_.distance(c, k);
+    touch.contact->set_distance(k, k == 0 ? distance + numerics::Twin{c.offset[0], c.offset[1]} : distance);
   }
 
   /// Computes coefficient k of the rates by the phase.
@@ -205,37 +250,25 @@ class RegularExpansion {
     series_.begin_rate(k);
     for (const ActingPulse& pulse : pulses_)
       series_.acceleration(k) += system_.pulses[pulse.index].top * pulse.sine[k];
-    for (const std::size_t i : touching_) {
-      put_distance(i, k);
-      put_velocity(i, k);
-      series_.push(system_.contacts[i], k, contacts_[i].power_term(k));
+    for (const Touch& touch : touches_) {
+      if (pacer_ || k == 0) put_distance(touch, k);
+      touch.contact->set_velocity(k, series_.velocity(*touch.scaled, k));
+      series_.push(*touch.scaled, k, touch.contact->power_term(k));
     }
   }
 
   /// Computes coefficient k of the pace, then coefficient k + 1 of everything whose rate is known.
   void advance(int k) {
-    time_.pace.set(k, pacer_ ? pacer_->root()[k] : k == 0 ? 1 : 0);
-    series_.advance(k, pace());
+    if (pacer_ || !pulses_.empty()) time_.pace.set(k, pacer_ ? pacer_->root()[k] : k == 0 ? 1 : 0);
+    const numerics::Series* const pace = this->pace();
+    series_.advance(k, pace);
     for (ActingPulse& pulse : pulses_) {
       const double by = system_.pulses[pulse.index].rate * numerics::one_over(k + 1);
       const double sine = by * numerics::product_term(time_.pace, pulse.cosine, k);
       pulse.cosine.set(k + 1, -by * numerics::product_term(time_.pace, pulse.sine, k));
       pulse.sine.set(k + 1, sine);
     }
-    for (const std::size_t i : touching_) contacts_[i].advance(k, pace());
-  }
-
-  /// Fastest rate per radian of the structure with the touching contacts, up to s = `end`.
-  double fastest(double end) const {
-    double square = structure_rate_ * structure_rate_, linear = 1;
-    for (const std::size_t i : touching_) {
-      const RegularContact& c = contacts_[i];
-      double deepest = std::max(0.0, c.penetration_term(0));
-      if (c.is_pace()) deepest = std::max(deepest, std::pow(time_.pace_at(end), 2));
-      square += c.power().slope(deepest) * laws_[i].mobility;
-      linear += c.impact_damping() * c.power().force_n(deepest) * laws_[i].mobility;
-    }
-    return std::max(linear, std::sqrt(square));
+    for (const Touch& touch : touches_) touch.contact->advance(k, pace);
   }
 
   struct ActingPulse {
@@ -249,7 +282,9 @@ class RegularExpansion {
   std::array<double, std::size_t{order} + 1> largest_term_{};
   std::vector<ContactLaw> laws_;
   std::vector<RegularContact> contacts_;
-  std::vector<std::size_t> touching_;
+  std::vector<std::size_t> touching_, near_;  ///< near_: contacts that may change their mode
+  std::vector<Touch> touches_;
+  Eigen::Matrix<double, N, 1> reach_;
   const RegularContact* pacer_ = nullptr;  ///< contact whose root is the pace; null: the pace is 1
   std::vector<ActingPulse> pulses_;
   RegularTime time_;

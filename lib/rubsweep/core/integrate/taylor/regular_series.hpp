@@ -41,24 +41,26 @@ class RegularSeries {
   void begin_rate(int k) {
     using numerics::load, numerics::Twin;
     const Eigen::Index n = coordinates();
+    const auto& system = system_;  // known to stay where it is, whatever is stored
+    const bool driven = driven_, diagonal = system.diagonal;
     const double* const now = &state_(0, k);
     double* const rate = &rate_(0, k);
     const Twin drive = load(now + 2 * n), cosine = numerics::first_twice(drive),
                sine = numerics::second_twice(drive);
     for (Eigen::Index h = 0; h < n; h += 2) {
       Twin a{};
-      if (driven_) a = load(&system_.cosine[h]) * cosine + load(&system_.sine[h]) * sine;
-      if (driven_ && k == 0) a += load(&system_.constant[h]);
-      if (system_.diagonal)
-        a -= load(&system_.stiffness_diagonal[h]) * load(now + h) +
-             load(&system_.damping_diagonal[h]) * load(now + n + h);
+      if (driven) a = load(&system.cosine[h]) * cosine + load(&system.sine[h]) * sine;
+      if (driven && k == 0) a += load(&system.constant[h]);
+      if (diagonal)
+        a -= load(&system.stiffness_diagonal[h]) * load(now + h) +
+             load(&system.damping_diagonal[h]) * load(now + n + h);
       numerics::store(rate + h, load(now + n + h));
       numerics::store(rate + n + h, a);
     }
     numerics::store(rate + 2 * n, numerics::quarter_turned(drive));
-    if (system_.diagonal) return;
-    acceleration(k).noalias() -= system_.stiffness * Eigen::Map<const Vector>(now, n);
-    acceleration(k).noalias() -= system_.damping * Eigen::Map<const Vector>(now + n, n);
+    if (diagonal) return;
+    acceleration(k).noalias() -= system.stiffness * Eigen::Map<const Vector>(now, n);
+    acceleration(k).noalias() -= system.damping * Eigen::Map<const Vector>(now + n, n);
   }
   /// Coefficient k of u'', by the phase.
   auto acceleration(int k) { return rate_.col(k).template segment<N>(coordinates(), coordinates()); }
@@ -93,10 +95,27 @@ class RegularSeries {
 
   /// Writes u then u' at s, by the terms up to `highest`.
   void put_state(double s, int highest, double* to) const {
-    const Eigen::Index size = 2 * coordinates();
-    Eigen::Map<Eigen::VectorXd> sum(to, size);
-    sum = state_.col(highest).head(size);
-    for (int k = highest - 1; k >= 0; --k) sum = s * sum + state_.col(k).head(size);
+    if constexpr (N == Eigen::Dynamic) {
+      const Eigen::Index size = 2 * coordinates();
+      Eigen::Map<Eigen::VectorXd> sum(to, size);
+      sum = state_.col(highest).head(size);
+      for (int k = highest - 1; k >= 0; --k) sum = s * sum + state_.col(k).head(size);
+    } else {
+      std::array<numerics::Twin, static_cast<std::size_t>(N)> sums{};
+      for (int k = highest; k >= 0; --k)
+        for (std::size_t h = 0; h < sums.size(); ++h)
+          sums[h] = sums[h] * numerics::both(s) + numerics::load(&state_(0, k) + 2 * h);
+      for (std::size_t h = 0; h < sums.size(); ++h) numerics::store(to + 2 * h, sums[h]);
+    }
+  }
+
+  /// Bounds, for each coordinate, of the change of u up to s.
+  void put_reach(double s, Eigen::Matrix<double, N, 1>& reach) const {
+    reach.setZero();
+    for (int k = order; k > 0; --k) {
+      reach += state_.col(k).template segment<N>(0, coordinates()).cwiseAbs();
+      reach *= s;
+    }
   }
 
  private:

@@ -11,6 +11,7 @@ namespace rubsweep::integrate::taylor {
 struct RegularTime {
   static constexpr int order = numerics::most_taylor_order, most_iterations = 200;
   numerics::Series pace;
+  bool even = false;  ///< the pace is 1 throughout
 
   double pace_at(double s) const {
     double sum = 0;
@@ -19,6 +20,7 @@ struct RegularTime {
   }
   /// Advance of the phase in radians from s = 0 on.
   double phase_after(double s) const {
+    if (even) return s;
     double sum = 0;
     for (int k = order - 1; k >= 0; --k) sum = sum * s + pace[k] * numerics::one_over(k + 1);
     return sum * s;
@@ -27,6 +29,7 @@ struct RegularTime {
   double parameter_at(double advance_rad, double end) const {
     if (advance_rad <= 0) return 0;
     if (phase_after(end) <= advance_rad) return end;
+    if (even) return advance_rad;
     double low = 0, high = end, s = end;
     for (int k = 0; k < most_iterations && high - low > 1e-16 * end; ++k) {
       const double excess = phase_after(s) - advance_rad;
