@@ -123,6 +123,7 @@ FullReference::Rotor FullReference::rotor_of(const PlaneBases& bases, FullSystem
   const LateralSystem& system = matrices.system;
   const auto at_places = [&](const std::vector<double>& places_m) {
     std::vector<Index> coordinates;
+    coordinates.reserve(places_m.size());
     for (const double place : places_m) coordinates.push_back(shaft_.deflection(place));
     return coordinates;
   };

@@ -64,7 +64,7 @@ constexpr proof::Patience patience_for_a_circle{.start = 200, .most = 200};
 constexpr double turns_for_cycles = 32, share_for_cycles = 0.15;
 
 /// Order above which a whirl has fewer than four fine samples, and the largest that is looked for.
-constexpr double fast_whirl = fine_samples / 4, most_order = 1e5;
+constexpr double fast_whirl = fine_samples / 4.0, most_order = 1e5;
 
 /// Mean order of the whirl in a turn; its whole revolutions are nearest to the rate of the state `after`.
 double mean_order(const scene::Scene& scene, const VectorXd& before, const VectorXd& after) {
