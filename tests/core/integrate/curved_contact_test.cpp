@@ -68,17 +68,17 @@ Impact impact(const scene::Scene& scene) {
 }
 
 TEST(CurvedContact, HertzImpactLastsAsLongAsHertzSays) {
-  const double K = 1e4, m = 2;
+  const double stiffness = 1e4, m = 2;
   for (const double speed : {1.0, 0.03}) {
     const double v = 1e-3 * speed;
-    const Impact seen = impact(flight(power_stop(K, 1.5), speed));
-    const double peak_m = std::pow(5 * m * v * v / (4 * K), 0.4);
+    const Impact seen = impact(flight(power_stop(stiffness, 1.5), speed));
+    const double peak_m = std::pow(5 * m * v * v / (4 * stiffness), 0.4);
     const double constant =
         2 * std::pow(1.25, 0.4) * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
     EXPECT_NEAR(constant / std::pow(1.25, 0.4), 2.9432, 1e-4);
     EXPECT_NEAR(seen.duration_s / (2.9432 * peak_m / v), 1, 3e-5);
-    EXPECT_NEAR(seen.duration_s / (constant * std::pow(m * m / (K * K * v), 0.2)), 1, 1e-9);
-    EXPECT_NEAR(seen.peak_n / (K * std::pow(peak_m, 1.5)), 1, 1e-6);
+    EXPECT_NEAR(seen.duration_s / (constant * std::pow(m * m / (stiffness * stiffness * v), 0.2)), 1, 1e-9);
+    EXPECT_NEAR(seen.peak_n / (stiffness * std::pow(peak_m, 1.5)), 1, 1e-6);
     EXPECT_NEAR(seen.restitution, 1, 1e-10);
   }
 }

@@ -78,9 +78,9 @@ inline std::vector<double> take_numbers(Bytes& bytes, Stored type, std::size_t c
       return all(std::int32_t{});
     case Stored::uint32:
       return all(std::uint32_t{});
-    case Stored::single_:
+    case Stored::float32:
       return all(float{});
-    case Stored::double_:
+    case Stored::float64:
       return all(double{});
     case Stored::int64:
       return all(std::int64_t{});

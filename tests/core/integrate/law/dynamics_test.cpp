@@ -18,11 +18,12 @@ using test::OneSideRotor;
 using test::OneSideState;
 
 constexpr int n = 4;
+constexpr std::size_t states = 2 * std::size_t{n};
 
 /// Random scaled states around the wall of parameter set A; all modes occur.
 std::vector<double> random_state(std::mt19937& random) {
   std::normal_distribution<double> normal;
-  std::vector<double> s(2 * n);
+  std::vector<double> s(states);
   for (double& value : s) value = 0.3 * normal(random);
   s[1] = 1 + s[3] + 0.01 * normal(random);
   return s;
@@ -58,7 +59,7 @@ TEST(Dynamics, EqualTheHandWrittenEquationsInEveryMode) {
     const double phase = std::uniform_real_distribution<double>(0, rotor.kick_s * w)(random);
     dynamics.modes()[0] = mode_at(system, s);
     ++seen[static_cast<std::size_t>(dynamics.modes()[0])];
-    std::vector<double> rate(2 * n);
+    std::vector<double> rate(states);
     dynamics(s, rate, phase);
     OneSideState<double> expected;
     equations(in_si(s, rotor), expected, phase / w);
@@ -73,9 +74,9 @@ TEST(Dynamics, EqualTheHandWrittenEquationsInEveryMode) {
 
 TEST(Dynamics, FrictionRatioIsTheRateOfTheSlipOverTheFrequencyOfTheContact) {
   // Linearised friction m v' = -mu'(v) K p (v - v0), compared with the contact m p'' = -K p.
-  const double m = 2, K = 5e4, p = 1e-4, limit = 0.3, steepness = 40, speed = 0.01;
+  const double m = 2, stiffness = 5e4, p = 1e-4, limit = 0.3, steepness = 40, speed = 0.01;
   auto scene = test::one_mass_scene(m, 100, 0, 0.1, 1e-3);
-  scene.contacts.push_back(test::wall_across_x(1, 1e-3, K, 10));
+  scene.contacts.push_back(test::wall_across_x(1, 1e-3, stiffness, 10));
   scene.contacts[0].friction = model::StribeckFriction{{0, 0, 0, limit, steepness, 0}};
   scene.displacement_m << 1e-3 + p, 0;
   scene.velocity_m_per_s << 0, speed;
@@ -85,7 +86,7 @@ TEST(Dynamics, FrictionRatioIsTheRateOfTheSlipOverTheFrequencyOfTheContact) {
   EXPECT_EQ(located.friction_ratio(state), 0);  // open
   located.modes()[0] = contact::Mode::sprung;
   const double slope = limit * steepness / std::pow(std::cosh(steepness * speed), 2);
-  const double expected = slope * K * p / m / std::sqrt(K / m);
+  const double expected = slope * stiffness * p / m / std::sqrt(stiffness / m);
   EXPECT_NEAR(located.friction_ratio(state), expected, 1e-12 * expected);
   const Dynamics<2, true> smoothed(system, 1e-4);
   EXPECT_NEAR(smoothed.friction_ratio(state), expected, 1e-12 * expected);
@@ -107,7 +108,7 @@ TEST(Dynamics, DynamicSizeEqualsFixedSize) {
   for (int trial = 0; trial < 50; ++trial) {
     const auto s = random_state(random);
     a.modes()[0] = b.modes()[0] = mode_at(fixed, s);
-    std::vector<double> rate_a(2 * n), rate_b(2 * n);
+    std::vector<double> rate_a(states), rate_b(states);
     a(s, rate_a, 1.0);
     b(s, rate_b, 1.0);
     for (std::size_t i = 0; i < rate_a.size(); ++i)
@@ -138,23 +139,23 @@ void check_jacobian() {
     const auto jacobian = [&](std::size_t row, std::size_t column) -> double& {
       return jacobian_storage(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
     };
-    std::vector<double> phase_rate(2 * n), plus(2 * n), minus(2 * n);
+    std::vector<double> phase_rate(states), plus(states), minus(states);
     dynamics.jacobian(s, jacobian, phase, phase_rate);
     const double size = jacobian_storage.cwiseAbs().maxCoeff();
-    for (std::size_t j = 0; j < 2 * n; ++j) {
+    for (std::size_t j = 0; j < states; ++j) {
       const double middle = s[j];
       s[j] = middle + h;
       dynamics(s, plus, phase);
       s[j] = middle - h;
       dynamics(s, minus, phase);
       s[j] = middle;
-      for (std::size_t i = 0; i < 2 * n; ++i) {
+      for (std::size_t i = 0; i < states; ++i) {
         EXPECT_NEAR(jacobian(i, j), (plus[i] - minus[i]) / (2 * h), 1e-4 * size);
       }
     }
     dynamics(s, plus, phase + h);
     dynamics(s, minus, phase - h);
-    for (std::size_t i = 0; i < 2 * n; ++i) EXPECT_NEAR(phase_rate[i], (plus[i] - minus[i]) / (2 * h), 1e-6);
+    for (std::size_t i = 0; i < states; ++i) EXPECT_NEAR(phase_rate[i], (plus[i] - minus[i]) / (2 * h), 1e-6);
   }
 }
 
