@@ -24,7 +24,7 @@ std::string limits_and_use(const std::string& program) {
       "times. The rule compares shares of the energy with 0.3 %. More than that between the multiples of "
       "1X: `one_side` where half of it or more lies at multiples of 1/2X, of 1/3X or of 1/4X, else "
       "`annular`. Otherwise, with less at 2X and at 3X: `no_rub`; with more at 2X: `one_side`, with more "
-      "at 3X: `two_sides`.\n\n"
+      "at 3X: `two_sides`. All rows are in `results/diagnosis/calibration.csv` of the sources.\n\n"
       "## How to cite\n\n"
       "Cite rubsweep as `CITATION.cff` of its sources says, the version, {}, the study below with its "
       "seed, and the SHA-256 of `labels.csv`, which contains that of every recording.\n\n",

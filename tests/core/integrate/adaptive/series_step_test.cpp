@@ -87,51 +87,50 @@ TEST(SeriesStep, FollowsAContactToItsEnd) {
   }
 }
 
-TEST(SeriesStep, LeavesOtherLawsToTheStepper) {
-  Touching at(1.3);
-  LawOfSteps<law::Dynamics<4, false>> law(at.law);
-  double size = 1e-3;
-  const auto series = std::make_unique<SeriesStep<4>>(at.law, run::SolverOptions{});
-  ASSERT_TRUE(series->try_step(law, at.step, size));
-  EXPECT_FALSE(at.step.knows_modes);
+/// First step after a touching, and tangent vectors that begin as the unit matrix.
+struct FirstStep {
+  explicit FirstStep(double exponent) : at(exponent) {
+    LawOfSteps<law::Dynamics<4, false>> law(at.law);
+    double size = 1e-3;
+    EXPECT_TRUE(series->try_step(law, at.step, size));
+  }
+
+  bool move_vectors(double end_phase, double accuracy) {
+    Eigen::Map<Eigen::MatrixXd> map(vectors.data(), 8, 8);
+    return series->move_tangents(at.step, end_phase, {}, accuracy, map);
+  }
+
+  Touching at;
+  std::unique_ptr<SeriesStep<4>> series = std::make_unique<SeriesStep<4>>(at.law, run::SolverOptions{});
   Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(8, 8);
-  Eigen::Map<Eigen::MatrixXd> map(vectors.data(), 8, 8);
-  EXPECT_FALSE(series->move_tangents(at.step, at.step.end_phase, {}, 1e-8, map));
-  EXPECT_TRUE(vectors.isIdentity(0));
+};
+
+TEST(SeriesStep, LeavesOtherLawsToTheStepper) {
+  FirstStep first(1.3);
+  EXPECT_FALSE(first.at.step.knows_modes);
+  EXPECT_FALSE(first.move_vectors(first.at.step.end_phase, 1e-8));
+  EXPECT_TRUE(first.vectors.isIdentity(0));
 }
 
 TEST(SeriesStep, MovesTangentVectorsOverItsSteps) {
-  Touching at(1.5);
-  LawOfSteps<law::Dynamics<4, false>> law(at.law);
-  double size = 1e-3;
-  const auto series = std::make_unique<SeriesStep<4>>(at.law, run::SolverOptions{});
-  ASSERT_TRUE(series->try_step(law, at.step, size));
-  ASSERT_TRUE(at.step.knows_modes);
-  Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(8, 8);
-  Eigen::Map<Eigen::MatrixXd> map(vectors.data(), 8, 8);
-  ASSERT_TRUE(series->move_tangents(at.step, at.step.start_phase, {}, 1e-8, map));
-  EXPECT_TRUE(vectors.isIdentity(0));
+  FirstStep first(1.5);
+  const Step& step = first.at.step;
+  ASSERT_TRUE(step.knows_modes);
+  ASSERT_TRUE(first.move_vectors(step.start_phase, 1e-8));
+  EXPECT_TRUE(first.vectors.isIdentity(0));
   // Displacements grow by the rates.
-  const double end_phase = at.step.start_phase + 1e-3 * (at.step.end_phase - at.step.start_phase);
-  ASSERT_TRUE(series->move_tangents(at.step, end_phase, {}, 1e-8, map));
-  EXPECT_NEAR(vectors(0, 4) / (end_phase - at.step.start_phase), 1, 1e-3);
+  const double end_phase = step.start_phase + 1e-3 * (step.end_phase - step.start_phase);
+  ASSERT_TRUE(first.move_vectors(end_phase, 1e-8));
+  EXPECT_NEAR(first.vectors(0, 4) / (end_phase - step.start_phase), 1, 1e-3);
 }
 
 /// To ten times the accuracy of the motion itself: over the whole step the series of the vectors end too
 /// soon.
 TEST(SeriesStep, HalvesAStepThatIsTooLongForTangentVectors) {
-  Touching at(1.5);
-  LawOfSteps<law::Dynamics<4, false>> law(at.law);
-  double size = 1e-3;
-  const auto series = std::make_unique<SeriesStep<4>>(at.law, run::SolverOptions{});
-  ASSERT_TRUE(series->try_step(law, at.step, size));
-  const auto moved = [&](double accuracy) {
-    Eigen::MatrixXd vectors = Eigen::MatrixXd::Identity(8, 8);
-    Eigen::Map<Eigen::MatrixXd> map(vectors.data(), 8, 8);
-    EXPECT_TRUE(series->move_tangents(at.step, at.step.end_phase, {}, accuracy, map));
-    return vectors;
-  };
-  EXPECT_LT((moved(1e-12) - moved(1e-8)).norm(), 1e-6);
+  FirstStep finely(1.5), coarsely(1.5);
+  ASSERT_TRUE(finely.move_vectors(finely.at.step.end_phase, 1e-12));
+  ASSERT_TRUE(coarsely.move_vectors(coarsely.at.step.end_phase, 1e-8));
+  EXPECT_LT((finely.vectors - coarsely.vectors).norm(), 1e-6);
 }
 
 }  // namespace

@@ -25,9 +25,8 @@ class SeriesStep final : public StepMethod {
   /// `law` must outlive this.
   SeriesStep(const Law& law, const run::SolverOptions& options)
       : law_(law),
-        motion_(law.system(), std::clamp(options.relative_tolerance * share_of_tolerance,
-                                         taylor::rounding_of_series, least_accuracy)),
-        rest_(motion_),
+        motion_(law.system(), accuracy_of(options)),
+        rest_(law.system(), accuracy_of(options)),
         tangents_(law.system()),
         other_(make_step_method(options)),
         stiff_above_(run::stiff_friction_ratio(options.relative_tolerance)) {}
@@ -75,7 +74,12 @@ class SeriesStep final : public StepMethod {
   /// Accuracy of the series over the tolerance, and its largest value.
   static constexpr double share_of_tolerance = 1e-3, least_accuracy = 1e-11;
   static constexpr double shortest_rad = 1e-13;
-  static constexpr int most_parts = 6;  ///< of a step, for tangent vectors
+  static constexpr int most_parts = 6;  ///< Parts into which tangent vectors divide a step.
+
+  static double accuracy_of(const run::SolverOptions& options) {
+    return std::clamp(options.relative_tolerance * share_of_tolerance, taylor::rounding_of_series,
+                      least_accuracy);
+  }
 
   double time_at(const Step& step, double phase) const {
     return phase >= end_phase_ ? end_ : motion_.time().parameter_at(phase - step.start_phase, end_);
@@ -111,7 +115,7 @@ class SeriesStep final : public StepMethod {
   }
 
   const Law& law_;
-  taylor::RegularExpansion<N> motion_, rest_;  ///< of a step, and of its later parts
+  taylor::RegularExpansion<N> motion_, rest_;  ///< rest_: later parts of a step, for tangent vectors
   taylor::RegularTangents<N> tangents_;
   std::unique_ptr<StepMethod> other_;
   double stiff_above_;

@@ -100,7 +100,7 @@ class RegularExpansion {
   /// Largest advance of the phase within s = `end`: up to it, polynomials treat rounding as the motion would.
   double most_rad(double end) const {
     const double structure = structure_rate_ * structure_rate_;
-    double square = structure, linear = 1, damping = 0;
+    double square = structure, damping = 0;
     for (const std::size_t i : touching_) {
       const RegularContact& c = contacts_[i];
       double deepest = std::max(0.0, c.penetration_term(0));
@@ -108,10 +108,9 @@ class RegularExpansion {
       square += c.power().slope(deepest) * laws_[i].mobility;
       damping += c.impact_damping() * c.power().force_n(deepest) * laws_[i].mobility;
     }
-    linear += damping;
     // A fast vibration that is well damped dies out within a step, and so may a larger error of it.
     const bool dies_out = touching_.size() == 1 && 4 * structure < square && damping * damping > square / 4;
-    return (dies_out ? longest_of_damped : longest_times_fastest) / std::max(linear, std::sqrt(square));
+    return (dies_out ? longest_of_damped : longest_times_fastest) / std::max(1 + damping, std::sqrt(square));
   }
 
   /// First change of a contact's mode up to s = `end`, which moves there; without a contact if there is none.
