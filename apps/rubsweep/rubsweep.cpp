@@ -13,7 +13,6 @@
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
-#include "rubsweep/maps/map/written_file.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep_arguments.hpp"
 #include "shared/child_process.hpp"
@@ -25,6 +24,7 @@
 #include "shared/result_directory.hpp"
 #include "shared/study_questions.hpp"
 #include "shared/verdict.hpp"
+#include "shared/written_file.hpp"
 #include "watched_map.hpp"
 
 namespace rubsweep::apps {
@@ -86,7 +86,7 @@ VerifiedConfiguration read_rub_configuration(const std::filesystem::path& file) 
 int verify(const RubsweepArguments& arguments) {
   const std::filesystem::path& directory = *arguments.verified;
   // Only ringstab can read the configuration of a ring.
-  if (map::was_written_by("ringstab", directory)) {
+  if (was_written_by("ringstab", directory)) {
     std::vector<std::string> command{"--verify", directory.string()};
     if (arguments.quiet) command.emplace_back("--quiet");
     become_sibling("ringstab", std::move(command));

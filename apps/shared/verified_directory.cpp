@@ -17,8 +17,8 @@
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/map/map_files.hpp"
 #include "rubsweep/maps/map/refined_cells.hpp"
-#include "rubsweep/maps/map/written_file.hpp"
 #include "rubsweep/maps/report/map_cells.hpp"
+#include "shared/written_file.hpp"
 
 namespace rubsweep::apps {
 

@@ -14,7 +14,7 @@
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/map_files.hpp"
-#include "rubsweep/maps/map/written_file.hpp"
+#include "shared/written_file.hpp"
 
 namespace rubsweep::apps {
 

@@ -71,6 +71,7 @@ TEST(DrawnMachine, AnExponentLeavesTheStiffnessAtATwentiethOfTheClearance) {
       EXPECT_NEAR(penetration_ratio(Cause::one_side, values, clearance_m, force_n), 0.05, 1e-12);
       EXPECT_NEAR(penetration_ratio(Cause::one_side, values, clearance_m, std::pow(2, exponent) * force_n),
                   0.1, 1e-12);
+      EXPECT_NEAR(force_at_penetration_n(Cause::one_side, values, clearance_m, 0.05) / force_n, 1, 1e-12);
     }
   }
 }

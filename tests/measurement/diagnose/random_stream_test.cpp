@@ -66,6 +66,14 @@ TEST(RandomStreamPriorSpread, ReachesFromBoundToBound) {
   }
 }
 
+TEST(RandomStreamPriorSpread, MayGiveItsLowerBoundAProbabilityOfItsOwn) {
+  const Spread spread{1, 1.5, false, 0.6};
+  EXPECT_EQ(value_at(spread, 0), 1);
+  EXPECT_EQ(value_at(spread, 0.599), 1);
+  EXPECT_DOUBLE_EQ(value_at(spread, 0.8), 1.25);
+  EXPECT_DOUBLE_EQ(value_at(spread, 1), 1.5);
+}
+
 TEST(RandomStreamPriorSpread, OfEqualBoundsIsKnown) { EXPECT_EQ(value_at({0, 0, true}, 0.3), 0); }
 
 }  // namespace

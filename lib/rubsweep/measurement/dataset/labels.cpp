@@ -153,8 +153,10 @@ const std::vector<Column>& columns() {
 
 std::string text_of(const diagnose::Spread& spread) {
   if (spread.low == spread.high) return batch::csv_number(spread.low);
-  return fmt::format("{} to {}{}", batch::csv_number(spread.low), batch::csv_number(spread.high),
-                     spread.logarithmic ? ", evenly in the logarithm" : "");
+  std::string text = fmt::format("{} to {}{}", batch::csv_number(spread.low), batch::csv_number(spread.high),
+                                 spread.logarithmic ? ", evenly in the logarithm" : "");
+  if (spread.at_low > 0) text += fmt::format(", in {:g} % the lowest", 100 * spread.at_low);
+  return text;
 }
 
 std::string ranges_of(const diagnose::Candidate& candidate) {

@@ -17,7 +17,15 @@ model::Rotor rotor_of(const Point& values, const FixedNumbers& fixed) {
 /// Share of the clearance at which a contact with any exponent has the stiffness `stiffness`.
 constexpr double share_of_stiffness = 0.05;
 
-/// Law of a spring (exponent 1), or else a power of the penetration with the damping of Hunt & Crossley.
+/// Speed that the kick gives the rotor.
+double kick_speed_m_per_s(const Point& values, double clearance_m) {
+  return value_of(values, Unknown::kick_ratio) * clearance_m * 2 * pi *
+         value_of(values, Unknown::natural_frequency);
+}
+
+/// Law of a spring (exponent 1), or else a power of the penetration with the damping of Hunt & Crossley. An
+/// impact with the speed of the kick has the restitution, slower ones lose less: with the approach speed of
+/// each impact, a contact that begins gently and then lasts would be damped without limit.
 model::NormalLaw law_of(const Point& values, double clearance_m) {
   model::NormalLaw law;
   const double exponent = value_of(values, Unknown::exponent);
@@ -28,6 +36,7 @@ model::NormalLaw law_of(const Point& values, double clearance_m) {
       value_of(values, Unknown::stiffness) / std::pow(share_of_stiffness * clearance_m, law.exponent - 1);
   law.damping = model::ImpactDamping::hunt_crossley;
   law.restitution = value_of(values, Unknown::restitution);
+  law.approach_speed_m_per_s = kick_speed_m_per_s(values, clearance_m);
   return law;
 }
 
@@ -50,15 +59,18 @@ model::Stop stop_of(Cause cause, const Point& values, double clearance_m, const 
 }
 
 model::Kick kick_of(const Point& values, double clearance_m, const FixedNumbers& fixed) {
-  const double speed_m_per_s = value_of(values, Unknown::kick_ratio) * clearance_m * 2 * pi *
-                               value_of(values, Unknown::natural_frequency);
   model::Kick kick;
   // A half sine of force F has the impulse 2 F duration / pi.
-  kick.force_n = fixed.rotor_mass_kg * speed_m_per_s * pi / (2 * kick_duration_s);
+  kick.force_n = fixed.rotor_mass_kg * kick_speed_m_per_s(values, clearance_m) * pi / (2 * kick_duration_s);
   kick.duration_s = kick_duration_s;
   kick.angle_deg = value_of(values, Unknown::stop_angle) + value_of(values, Unknown::kick_angle);
   kick.phase_deg = value_of(values, Unknown::kick_phase);
   return kick;
+}
+
+/// Smallest clearance of a machine over that of its first stop.
+double smallest_clearance(Cause cause, const Point& values) {
+  return cause == Cause::two_sides ? std::fmin(1, value_of(values, Unknown::second_clearance_ratio)) : 1;
 }
 
 }  // namespace
@@ -86,13 +98,17 @@ model::Machine drawn_machine(Cause cause, const Point& values, double clearance_
 }
 
 double penetration_ratio(Cause cause, const Point& values, double clearance_m, double force_n) {
-  const double smallest =
-      cause == Cause::two_sides ? std::fmin(1, value_of(values, Unknown::second_clearance_ratio)) : 1;
-  const double exponent = value_of(values, Unknown::exponent),
+  const double exponent = value_of(values, Unknown::exponent), smallest = smallest_clearance(cause, values),
                stiffness_n_per_m = value_of(values, Unknown::stiffness);
   if (exponent <= 1) return force_n / stiffness_n_per_m / (smallest * clearance_m);
   const double stiff_m = share_of_stiffness * clearance_m;
   return share_of_stiffness * std::pow(force_n / (stiffness_n_per_m * stiff_m), 1 / exponent) / smallest;
+}
+
+double force_at_penetration_n(Cause cause, const Point& values, double clearance_m, double ratio) {
+  const double exponent = std::fmax(1, value_of(values, Unknown::exponent)),
+               stiff_n = value_of(values, Unknown::stiffness) * share_of_stiffness * clearance_m;
+  return stiff_n * std::pow(ratio * smallest_clearance(cause, values) / share_of_stiffness, exponent);
 }
 
 }  // namespace rubsweep::diagnose

@@ -25,8 +25,9 @@ inline constexpr double kick_duration_s = 2e-3;  ///< Duration of the pulse that
 /// x clearance x natural angular frequency.
 model::Machine drawn_machine(Cause cause, const Point& values, double clearance_m, const FixedNumbers& fixed);
 
-/// Penetration at this contact force divided by the smallest clearance.
+/// Penetration at this contact force divided by the smallest clearance; the second function inverts it.
 double penetration_ratio(Cause cause, const Point& values, double clearance_m, double force_n);
+double force_at_penetration_n(Cause cause, const Point& values, double clearance_m, double ratio);
 
 /// Largest penetration ratio that a machine survives, unless a study gives another one.
 inline constexpr double usual_penetration_ratio = 0.5;

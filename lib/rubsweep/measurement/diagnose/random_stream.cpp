@@ -32,7 +32,8 @@ double RandomStream::normal() {
 }
 
 double value_at(const Spread& spread, double unit) {
-  if (spread.low == spread.high) return spread.low;
+  if (spread.low == spread.high || unit < spread.at_low) return spread.low;
+  unit = (unit - spread.at_low) / (1 - spread.at_low);
   if (!spread.logarithmic) return spread.low + (spread.high - spread.low) * unit;
   return spread.low * std::pow(spread.high / spread.low, unit);
 }

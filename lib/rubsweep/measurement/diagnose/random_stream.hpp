@@ -33,11 +33,12 @@ class RandomStream {
   bool has_waiting_ = false;
 };
 
-/// Prior distribution of a number between two bounds: uniform, or uniform in its logarithm. Equal bounds: the
-/// number is known.
+/// Prior distribution of a number between two bounds: uniform, or uniform in its logarithm, but with a
+/// probability of its own for the lower bound. Equal bounds: the number is known.
 struct Spread {
   double low = 0, high = 0;  ///< low <= high; both > 0 where logarithmic
   bool logarithmic = false;
+  double at_low = 0;  ///< probability of `low`, below 1
 };
 
 /// Quantile: the number lies below this value with probability `unit`, in [0, 1].

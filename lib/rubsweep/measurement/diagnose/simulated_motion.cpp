@@ -30,8 +30,10 @@ std::optional<LastingMotion> record(const scene::Cell& cell, const response::mot
                                     int turns, response::spectrum::SpectrumWorkspace& workspace) {
   // The machine occurs only once, so a cache shared by all machines would only grow.
   integrate::exact::modes::ModeCache modes;
+  // The tolerance counts where steppers make a contact; recordings are noisier.
+  const integrate::run::SolverOptions solver{.relative_tolerance = 1e-6};
   const auto motion = response::motion::record_settled(
-      cell.scene, {}, modes,
+      cell.scene, solver, modes,
       {.settling = settling, .turns = turns, .samples_per_revolution = samples_of_a_turn, .peaks = true});
   if (!motion) return std::nullopt;
   return LastingMotion{lines_of(motion->displacement_m, turns, most_order, workspace), motion->contact,
@@ -64,12 +66,15 @@ int turns_before_recording(const model::Machine& machine, double speed_hz) {
 
 std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, double speed_hz,
                                             const scene::Unbalance& unbalance, int turns,
-                                            response::spectrum::SpectrumWorkspace& workspace) {
+                                            response::spectrum::SpectrumWorkspace& workspace,
+                                            std::optional<double> most_force_n) {
   const scene::Cell cell = cell_of(machine, speed_hz, unbalance);
   if (!scene::can_run(cell.start)) return std::nullopt;
-  auto motion = record(
-      cell, {.most_turns = turns_before_recording(machine, speed_hz), .longest_flight = turns_in_flight},
-      turns, workspace);
+  auto motion = record(cell,
+                       {.most_turns = turns_before_recording(machine, speed_hz),
+                        .longest_flight = turns_in_flight,
+                        .most_force_n = most_force_n},
+                       turns, workspace);
   if (motion && motion->contact.contact_fraction == 0) return std::nullopt;
   return motion;
 }

@@ -37,10 +37,12 @@ struct LastingMotion {
 };
 
 /// Runs a machine from its start for turns_before_recording() and then records `turns` turns. Empty where the
-/// recorded turns have no contact, the run fails, or it cannot start.
+/// recorded turns have no contact, the run fails, it cannot start, or after the first turns a contact force
+/// is larger than `most_force_n`, if there is such a limit.
 std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, double speed_hz,
                                             const scene::Unbalance& unbalance, int turns,
-                                            response::spectrum::SpectrumWorkspace& workspace);
+                                            response::spectrum::SpectrumWorkspace& workspace,
+                                            std::optional<double> most_force_n = {});
 
 /// Records the quiet motion of a machine in the same way; empty where it touches a stop.
 std::optional<LastingMotion> motion_without_contact(const model::Machine& machine, double speed_hz,

@@ -84,8 +84,9 @@ RecordedProblem recorded_problem(DiagnosedMachine machine, recording::Recording 
   problem.measuring.probe_angle_rad = instrument.probes.front().angle_deg * std::numbers::pi / 180;
   problem.measuring.from_rest = recorded.recording.from_rest;
   tell_machine(machine, questions.list, problem.candidates);
-  const auto& [low_hz, high_hz, logarithmic] = machine.natural_frequency_hz;
-  problem.measuring.natural_order = (low_hz + high_hz) / 2 / recorded.recording.mean_speed_hz();
+  const diagnose::Spread& natural_hz = machine.natural_frequency_hz;
+  problem.measuring.natural_order =
+      (natural_hz.low + natural_hz.high) / 2 / recorded.recording.mean_speed_hz();
   return recorded;
 }
 

@@ -187,6 +187,27 @@ TEST(RecordSettled, TheFactsAreThoseOfTheRecordedTurns) {
   EXPECT_NEAR(record->contact.peak_contact_force_n, force_n, 1e-6 * force_n);
 }
 
+TEST(RecordSettled, GivesUpAMotionThatPressesTooHardAfterItsStart) {
+  const scene::Cell cell = test::cell_of({});
+  integrate::exact::modes::ModeCache modes;
+  const integrate::run::Run run = integrate::start(cell.scene, {}, modes);
+  integrate::run::TurnReport turn;
+  double first_n = 0, looked_n = 0;
+  for (int k = 0; k < 40; ++k) {
+    ASSERT_EQ(run.advance({.peaks = true}, turn), integrate::run::Outcome::ok);
+    first_n = std::max(first_n, k < 16 ? turn.peak_contact_force_n : 0);
+    if (k == 16 || k == 32) looked_n = std::max(looked_n, turn.peak_contact_force_n);
+  }
+  ASSERT_GT(looked_n, 0);
+  EXPECT_GT(first_n, 1.01 * looked_n);
+  for (const double share : {0.99, 1.01}) {
+    const auto record =
+        record_settled(cell.scene, {}, modes,
+                       {.settling = {.most_turns = 40, .most_force_n = share * looked_n}, .turns = 1});
+    EXPECT_EQ(record.has_value(), share > 1);
+  }
+}
+
 TEST(RecordSettled, QuietSamplesAreTheClosedForm) {
   const scene::Cell cell = test::cell_of({});
   const auto samples = quiet_samples(cell, 24);

@@ -4,13 +4,15 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// A problem with two candidates, no rub or one flat stop, on a known machine at twice its natural frequency.
+/// A problem with two candidates, no rub or one flat stop that is a spring, on a known machine at twice its
+/// natural frequency.
 inline DiagnosisProblem small_problem() {
   DiagnosisProblem problem;
   problem.candidates = {usual_candidate(Cause::no_rub), usual_candidate(Cause::one_side)};
   for (Candidate& candidate : problem.candidates) {
     spread_of(candidate, Unknown::natural_frequency) = {30, 30.3, false};
     spread_of(candidate, Unknown::damping_ratio) = {0.018, 0.022, false};
+    spread_of(candidate, Unknown::exponent) = {1, 1, false};
     candidate.clearance_m = {5e-5, 1e-3, true};
   }
   problem.prior = {0.5, 0.5};

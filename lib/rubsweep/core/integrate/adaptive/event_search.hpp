@@ -31,7 +31,7 @@ struct CrossingSearch {
   const std::vector<int>& zeros;  ///< above 0: a slip that starts from zero and grows
   State &probe, &probe_rate;      ///< scratch for a state inside the step
 
-  /// A step that ends at the first change of a mode has no other.
+  /// A step of a method that has searched it has no other change of a mode, and no other release.
   std::optional<Crossing> first() {
     std::optional<Crossing> earliest = step.ending;
     for (std::size_t i = 0; i < dynamics.system().contacts.size(); ++i) {
@@ -47,9 +47,9 @@ struct CrossingSearch {
       const bool curved = dynamics.system().contacts[i].law && dynamics.modes()[i] != contact::Mode::open;
       if (curved && !step.knows_modes) [[unlikely]]
         locate_knots(i, earliest);
-      if (!dynamics.touches_dry(i)) continue;
-      const auto candidate =
-          dynamics.slips()[i] == contact::Slip::sticking ? locate_release(i) : locate_stop(i);
+      const bool sticks = dynamics.slips()[i] == contact::Slip::sticking;
+      if (!dynamics.touches_dry(i) || (sticks && step.knows_modes)) continue;
+      const auto candidate = sticks ? locate_release(i) : locate_stop(i);
       if (candidate && (!earliest || candidate->phase < earliest->phase)) earliest = candidate;
     }
     return earliest;

@@ -45,7 +45,7 @@ class SeriesStep final : public StepMethod {
 
   bool move_tangents(const Step& step, double end_phase, const std::vector<std::size_t>& remembering,
                      double accuracy, Eigen::Map<Eigen::MatrixXd>& vectors) override {
-    if (!step.knows_modes) return false;
+    if (!step.knows_modes || motion_.sticks()) return false;
     double s = time_at(step, end_phase), phase_rad = step.start_phase;
     taylor::RegularExpansion<N>* motion = &motion_;
     kept_ = vectors;
@@ -72,7 +72,7 @@ class SeriesStep final : public StepMethod {
 
  private:
   /// Accuracy of the series over the tolerance, and its largest value.
-  static constexpr double share_of_tolerance = 1e-3, least_accuracy = 1e-11;
+  static constexpr double share_of_tolerance = 1e-3, least_accuracy = 1e-9;
   static constexpr double shortest_rad = 1e-13;
   static constexpr int most_parts = 6;  ///< Parts into which tangent vectors divide a step.
 
@@ -110,7 +110,12 @@ class SeriesStep final : public StepMethod {
     motion_.put_state(end_, step.end.data());
     step.end_phase = end_phase_ = made < left ? step.start_phase + made : step.latest_phase;
     if (event.contact && advance <= most)
-      step.ending = Crossing{.phase = step.end_phase, .contact = *event.contact, .next = event.next};
+      step.ending = Crossing{
+          .phase = step.end_phase,
+          .contact = *event.contact,
+          .next = event.next,
+          .event = event.slip == contact::Slip::sticking ? Crossing::Event::mode : Crossing::Event::release,
+          .slip = event.slip};
     return true;
   }
 

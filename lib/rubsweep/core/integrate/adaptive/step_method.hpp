@@ -38,7 +38,7 @@ struct Step {
   double start_phase = 0, end_phase = 0;
   State start, start_rate, end, end_rate;
   double latest_phase = 0;           ///< latest end, where the law or its turn ends
-  bool knows_modes = false;          ///< true: the method has searched the step for changes of mode
+  bool knows_modes = false;          ///< true: the method has searched for changes of mode and releases
   std::optional<Crossing> ending{};  ///< with `knows_modes`: the change that ends the step, if one does
 
   /// Exchanges the states and rates of both ends.

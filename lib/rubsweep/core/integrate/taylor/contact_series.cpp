@@ -175,17 +175,16 @@ Twin ContactSeries::annular_term(int k) {
   const Twin load = stiffness_ * (distance_[k] - clearance_ * normal_[k]);
   Twin force = spring_factor_ * load + damping;
   if (!sticks_ && !varies_) return force + turned_mu_ * numerics::swapped(load);
-  if (sticks_) {
-    if (k == 0)
-      sliding_speed_ = normal_[0][0] * velocity_[0][1] - normal_[0][1] * velocity_[0][0];
-    else
-      force += quarter_turned(sum_of_products(holding_, normal_, k, 0, k - 1));
-  } else {
-    load_.set(k, load);
-    add_sliding_term(k);
-    add_slip_term(law_->slip_scale_m_per_s * sliding_[k] + (k == 0 ? law_->surface_speed_m_per_s : 0), k);
-    force += quarter_turned(product_term(mu_, load_, k));
-  }
+  if (sticks_) return with_holding(force, k);
+  load_.set(k, load);
+  add_sliding_term(k);
+  add_slip_term(law_->slip_scale_m_per_s * sliding_[k] + (k == 0 ? law_->surface_speed_m_per_s : 0), k);
+  return force + quarter_turned(product_term(mu_, load_, k));
+}
+
+Twin ContactSeries::with_holding(Twin force, int k) {
+  if (k > 0) return force + quarter_turned(sum_of_products(holding_, normal_, k, 0, k - 1));
+  sliding_speed_ = normal_[0][0] * velocity_[0][1] - normal_[0][1] * velocity_[0][0];
   return force;
 }
 

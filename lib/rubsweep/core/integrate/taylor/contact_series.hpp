@@ -131,6 +131,8 @@ class ContactSeries {
   numerics::Twin annular_term(int k);
   template <bool damped>
   numerics::Twin normal_and_rate(int k);
+  /// Adds to coefficient k of the force at an annular stop the friction that holds it, but for coefficient k.
+  numerics::Twin with_holding(numerics::Twin force, int k);
   void add_slip_term(double slip, int k);
   void add_sliding_term(int k);
 

@@ -43,9 +43,9 @@ double settle_creep(Expansion<N>& motion, const Expand& expand, std::vector<doub
     if (!(wanted >= worth_rad)) return 0;
     reach = wanted;
     double change = 0;
-    contact::StickVector by(static_cast<Eigen::Index>(motion.sticking()));
+    contact::StickVector by(static_cast<Eigen::Index>(motion.sticking().count()));
     for (Eigen::Index j = 0; j < by.size(); ++j) {
-      const std::size_t i = motion.stuck(j);
+      const std::size_t i = motion.sticking()[j];
       by(j) = 0;
       if (!motion.contact(i).creep()) continue;
       Creep& creep = motion.creep(i);
@@ -128,7 +128,7 @@ class CreepChoice {
 
   void start_creep(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics,
                    const std::vector<double>& state) const {
-    std::size_t held = motion.sticking();
+    std::size_t held = motion.sticking().count();
     for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
       if (dynamics.modes()[i] == contact::Mode::open || !motion.contact(i).friction_varies()) continue;
       const bool creeps = held < contact::most_sticking && dynamics.friction_ratio(i, state) > creep_above_;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <variant>
 #include <vector>
 
+#include "rubsweep/core/contact/contact_mode.hpp"
 #include "rubsweep/core/contact/dry_friction.hpp"
 #include "rubsweep/core/integrate/run/pulse_times.hpp"
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
@@ -16,6 +18,7 @@
 #include "rubsweep/core/integrate/taylor/creep.hpp"
 #include "rubsweep/core/integrate/taylor/expand_in_registers.hpp"
 #include "rubsweep/core/integrate/taylor/state_series.hpp"
+#include "rubsweep/core/integrate/taylor/sticking_contacts.hpp"
 #include "rubsweep/core/numerics/taylor_series.hpp"
 
 namespace rubsweep::integrate::taylor {
@@ -35,7 +38,8 @@ class Expansion {
         contacts_(system.contacts.size()),
         jacobians_(system.contacts.size()),
         creeps_(system.contacts.size()),
-        creeping_(system.contacts.size(), false) {
+        creeping_(system.contacts.size(), false),
+        sticking_(system) {
     for (const auto& contact : system.contacts) laws_.emplace_back(contact);
     pulses_.reserve(system.pulses.size());
     touching_.reserve(contacts_.size());
@@ -70,10 +74,7 @@ class Expansion {
   Creep& creep(std::size_t i) { return creeps_[i]; }
   /// Whether some contact creeps in the present expansion.
   bool any_creeps() const {
-    for (std::size_t j = 0; j < sticking_; ++j) {
-      if (contacts_[stuck_[j]].creep()) return true;
-    }
-    return false;
+    return std::ranges::any_of(touching_, [&](std::size_t i) { return contacts_[i].creep() != nullptr; });
   }
   /// Slip of contact `i` at the start of the expansion.
   double slip(std::size_t i) const {
@@ -86,7 +87,7 @@ class Expansion {
 
   /// Index of the only touching contact, if it slips and the structure is diagonal; otherwise empty.
   std::optional<std::size_t> only_slip() const {
-    if (!system_.diagonal || touching_.size() != 1 || sticking_ > 0) return std::nullopt;
+    if (!system_.diagonal || touching_.size() != 1 || sticking_.count() > 0) return std::nullopt;
     return touching_[0];
   }
   /// Whether the structure is diagonal and nothing touches.
@@ -94,26 +95,15 @@ class Expansion {
   const DiagonalStructure<N>& structure() const { return structure_; }
   const ContactDirections<N>& directions(std::size_t i) const { return directions_[i]; }
 
-  // Access to the contacts that stick or creep.
-  std::size_t sticking() const { return sticking_; }
-  std::size_t stuck(Eigen::Index k) const { return stuck_[static_cast<std::size_t>(k)]; }
-  const contact::StickMobility& mobility() const { return mobility_; }
-  /// Row of the tangential velocity at the start of the expansion.
-  Eigen::Matrix<double, 1, N> tangential_row(std::size_t i) const {
-    const auto& c = system_.contacts[i];
-    return contacts_[i].cosine() * c.second_row - contacts_[i].sine() * c.first_row;
-  }
-  Vector tangential_push(std::size_t i) const {
-    const auto& c = system_.contacts[i];
-    return contacts_[i].cosine() * c.second_push - contacts_[i].sine() * c.first_push;
-  }
+  const StickingContacts<N>& sticking() const { return sticking_; }
 
   /// Changes the velocities of `state` by friction impulses at the contacts that stick or creep, so that
   /// their sliding speeds change by `by`.
   void change_slips(const contact::StickVector& by, double* state) const {
-    const contact::StickVector impulse = contact::holding_forces(mobility_, by);
+    const contact::StickVector impulse = contact::holding_forces(sticking_.mobility(), by);
     Eigen::Map<Vector> v(state + system_.coordinates(), system_.coordinates());
-    for (Eigen::Index j = 0; j < by.size(); ++j) v -= impulse(j) * tangential_push(stuck(j));
+    for (Eigen::Index j = 0; j < by.size(); ++j)
+      v -= impulse(j) * sticking_.push(sticking_[j], contacts_[sticking_[j]]);
   }
 
   const StateSeries<N>& series() const { return series_; }
@@ -128,7 +118,7 @@ class Expansion {
  private:
   void begin_contacts(const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips,
                       const std::vector<bool>& poised) {
-    sticking_ = 0;
+    sticking_.clear();
     touching_.clear();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const auto& offset = system_.contacts[i].offset;
@@ -139,7 +129,7 @@ class Expansion {
       contacts_[i].begin(laws_[i], modes[i], open ? 0 : slip(i), slips[i], i < poised.size() && poised[i]);
       if (!open) touching_.push_back(i);
       if (!open && creeping_[i]) contacts_[i].follow(creeps_[i]);
-      if (contacts_[i].sticks()) stuck_[sticking_++] = i;
+      if (contacts_[i].sticks()) sticking_.add(i);
       jacobians_[i].follow(contacts_[i]);
     }
   }
@@ -207,28 +197,9 @@ class Expansion {
       a += system_.contacts[i].first_push * force[0];
       a += system_.contacts[i].second_push * force[1];
     }
-    if (sticking_ > 0) hold(k);
+    if (sticking_.count() > 0) sticking_.hold(k, contacts_, a);
     for (const std::size_t i : touching_)
       contacts_[i].set_velocity(k + 1, at_contact(system_.contacts[i], acceleration_) * numerics::both(next));
-  }
-
-  /// Adds coefficient k of the holding forces of the sticking contacts.
-  void hold(int k) {
-    const auto count = static_cast<Eigen::Index>(sticking_);
-    if (k == 0) {
-      mobility_.resize(count, count);
-      for (Eigen::Index j = 0; j < count; ++j) {
-        for (Eigen::Index i = 0; i < count; ++i)
-          mobility_(i, j) = -tangential_row(stuck(i)).dot(tangential_push(stuck(j)).transpose());
-      }
-    }
-    contact::StickVector rest(count);
-    for (Eigen::Index j = 0; j < count; ++j)
-      rest(j) = tangential_row(stuck(j)).dot(acceleration_.transpose()) - contacts_[stuck(j)].keeping_term(k);
-    const contact::StickVector force = contact::holding_forces(mobility_, rest);
-    for (Eigen::Index j = 0; j < count; ++j) acceleration_ += force(j) * tangential_push(stuck(j));
-    for (Eigen::Index j = 0; j < count; ++j)
-      contacts_[stuck(j)].hold(k, force(j), at_contact(system_.contacts[stuck(j)], acceleration_));
   }
 
   /// Completes the velocities of open contacts for their guards.
@@ -251,9 +222,7 @@ class Expansion {
   std::vector<char> creeping_;
   std::vector<ContactDirections<N>> directions_;  ///< for each contact
   std::vector<std::size_t> touching_;
-  std::array<std::size_t, contact::most_sticking> stuck_{};
-  std::size_t sticking_ = 0;
-  contact::StickMobility mobility_;
+  StickingContacts<N> sticking_;  ///< or creeping
   double cosine_ = 1, sine_ = 0;
   std::vector<ActingPulse> pulses_;
 };

@@ -35,7 +35,7 @@ Twin RegularContact::normal_term(int k, Twin newest, Twin products) {
       penetration_inverse_ = 1 / newest[0];
     } else {
       const double sum = products[0] + factors_[0][0] * newest[0];
-      spring = ((power_.halves + 2) * numerics::one_over(k) / 2 * damper_term_ - sum) * penetration_inverse_;
+      spring = ((power_.exponent + 1) * numerics::one_over(k) * damper_term_ - sum) * penetration_inverse_;
     }
     factors_.set(k, spring);
   } else {
@@ -51,7 +51,7 @@ Twin RegularContact::normal_term(int k, Twin newest, Twin products) {
 
 /// Coefficient k of S' and of the elastic force S, after `power_term`, in order of k.
 Twin RegularContact::elastic_term(int k) {
-  const double exponent = power_.halves / 2.0;
+  const double exponent = power_.exponent;
   if (!by_quotient_) return Twin{power_.factor * exponent, 1} * factors_[k];
   double slope = exponent * factors_.number(k);
   for (int j = 1; j <= k; ++j) slope -= rates_[j][0] * slope_.number(k - j);
@@ -96,6 +96,7 @@ Twin RegularContact::round_term(int k) {
     pressed += pressed_[0] * normal_[k];
     load += spring_[0] * normal_[k];
   }
+  if (sticks_) return with_holding(pressed, k);
   if (!varies_) return pressed + turned_mu_ * numerics::swapped(load);
   load_.set(k, load);
   add_sliding_term(k);

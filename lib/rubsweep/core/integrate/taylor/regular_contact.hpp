@@ -8,16 +8,16 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Force K p^n whose n is a half of an integer, by a scaled penetration.
+/// Force K p^n by a scaled penetration.
 struct PowerLaw {
-  int halves = 0;     ///< 2 n; 0 for any other law
-  double factor = 0;  ///< K, in newtons
+  double exponent = 0;  ///< n; 0 for any other law
+  int halves = 0;       ///< 2 n if it is an integer, otherwise 0
+  double factor = 0;    ///< K, in newtons
 
   PowerLaw(const contact::CurvedLaw* law, double length_m) {
     if (!law || law->law().kind != model::ForceCurve::power) return;
-    const double exponent = law->law().exponent;
-    if (2 * exponent != std::floor(2 * exponent)) return;
-    halves = static_cast<int>(2 * exponent);
+    exponent = law->law().exponent;
+    if (2 * exponent == std::floor(2 * exponent)) halves = static_cast<int>(2 * exponent);
     rooted_ = halves % 2 == 1;
     factor = law->law().stiffness_n_per_m_n * std::pow(length_m, exponent);
   }
@@ -25,8 +25,11 @@ struct PowerLaw {
   /// Whether the root of the penetration, but not the penetration itself, has a power series where the
   /// contact begins.
   bool rooted() const { return rooted_; }
-  double force_n(double penetration) const { return slope(penetration) * penetration * 2 / halves; }
+  /// Whether the force has a power series of the penetration where the contact begins.
+  bool whole() const { return halves > 0 && !rooted_; }
+  double force_n(double penetration) const { return slope(penetration) * penetration / exponent; }
   double slope(double penetration) const {
+    if (halves == 0) return factor * exponent * std::pow(penetration, exponent - 1);
     const double root = rooted() ? std::sqrt(penetration) : 1;
     return factor * halves / 2 * root * numerics::power(penetration, halves / 2 - 1);
   }
@@ -47,10 +50,10 @@ class RegularContact : public ContactSeries {
   /// After `begin`: the c of the force K p^n (1 + c p') of the present impact, and whether the root of the
   /// penetration is the pace.
   void begin_power(double damping, bool is_pace) {
-    damping_ = damping, is_pace_ = is_pace, by_quotient_ = power_.rooted() && !is_pace;
+    damping_ = damping, is_pace_ = is_pace, by_quotient_ = !power_.whole() && !is_pace;
   }
   /// After `begin_power`: another contact's root is the pace.
-  void follow_pace() { by_quotient_ = false; }
+  void follow_pace() { by_quotient_ = power_.halves == 0; }
   /// Coefficient k of the force, as ContactSeries::force_term.
   numerics::Twin power_term(int k) { return law_->annular ? round_term(k) : straight_term(k); }
   /// Computes coefficient k + 1 of r, of the root if it is the pace, and of the relative displacement without
@@ -70,7 +73,8 @@ class RegularContact : public ContactSeries {
   bool is_pace() const { return is_pace_; }
   double closing_term(int k) const { return rates_[k][1]; }
   double impact_damping() const { return damping_; }
-  /// Coefficient k of S' and of the elastic force S, after `power_term`, in order of k.
+  double spring_term(int k) const { return factors_[k][1]; }  ///< Coefficient k of the elastic force S.
+  /// Coefficient k of S' and of S, after `power_term`, in order of k.
   numerics::Twin elastic_term(int k);
 
  private:

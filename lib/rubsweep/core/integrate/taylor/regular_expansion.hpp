@@ -14,6 +14,7 @@
 #include "rubsweep/core/integrate/taylor/regular_series.hpp"
 #include "rubsweep/core/integrate/taylor/regular_time.hpp"
 #include "rubsweep/core/integrate/taylor/step_length.hpp"
+#include "rubsweep/core/integrate/taylor/sticking_contacts.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/core/numerics/matrix_flow.hpp"
 #include "rubsweep/core/numerics/taylor_series.hpp"
@@ -33,6 +34,7 @@ class RegularExpansion {
         accuracy_(accuracy),
         structure_rate_(
             numerics::dense::spectral_radius(numerics::generator_of(system.stiffness, system.damping))),
+        sticking_(system),
         series_(system) {
     for (const auto& contact : system.contacts) {
       laws_.emplace_back(contact);
@@ -48,8 +50,9 @@ class RegularExpansion {
   }
 
   /// Expands from `state` (u then u') and its rate with the modes, slips and dampings of `law`. False where
-  /// there is no such series: a contact sticks, obeys another law, touches without closing, two contacts are
-  /// near their beginning or end, or the number of coordinates is odd.
+  /// there is no such series: a contact obeys another law, touches without closing, is near its beginning or
+  /// end with another n, or there beside a second one that is so or sticks; or the number of coordinates is
+  /// odd.
   template <class State>
   bool expand(const State& state, const State& rate, double phase_rad, const law::Dynamics<N, false>& law) {
     if (system_.coordinates() % 2 != 0) return false;
@@ -113,11 +116,12 @@ class RegularExpansion {
     return (dies_out ? longest_of_damped : longest_times_fastest) / std::max(1 + damping, std::sqrt(square));
   }
 
-  /// First change of a contact's mode up to s = `end`, which moves there; without a contact if there is none.
-  /// False where a guard is past zero at the start.
+  /// First change of a contact's mode, or end of its sticking, up to s = `end`, which moves there; without a
+  /// contact if there is none. False where a guard is past zero at the start.
   struct Event {
     std::optional<std::size_t> contact{};
     contact::Mode next = contact::Mode::open;
+    contact::Slip slip = contact::Slip::sticking;  ///< direction of the slip that begins instead
   };
   bool find_event(double& end, Event& event) {
     std::array<double, std::size_t{order}> powers;
@@ -125,14 +129,15 @@ class RegularExpansion {
     for (const std::size_t i : near_) {
       RegularContact& contact = contacts_[i];
       // Whether the guard is not past zero at the start; its first rise becomes the event.
-      const auto look = [&](contact::Mode next, const auto& term) {
+      const auto look = [&](contact::Mode next, const auto& term,
+                            contact::Slip slip = contact::Slip::sticking) {
         std::array<double, std::size_t{order}> guard;
         for (std::size_t k = 0; k < guard.size(); ++k) guard[k] = powers[k] * term(static_cast<int>(k));
         const auto rise = first_rise(guard, accuracy_);
         if (!rise) return true;
         end *= *rise;
         numerics::put_powers(end, order, powers.data());
-        event = {i, next};
+        event = {i, next, slip};
         return *rise > 0;
       };
       if (contact.mode() == contact::Mode::open) {
@@ -150,6 +155,17 @@ class RegularExpansion {
             return sign * ((k == 0 ? 1 : 0) + damping * contact.closing_term(k));
           }))
         return false;
+      for (const contact::Slip slip : {contact::Slip::forward, contact::Slip::backward}) {
+        const double way = contact::sign_of(slip);
+        if (contact.sticks() && !look(
+                                    contact.mode(),
+                                    [&](int k) {
+                                      return way * contact.holding().number(k) -
+                                             contact.law().friction.holding * contact.spring_term(k);
+                                    },
+                                    slip))
+          return false;
+      }
       const double share = saturated_share(contact, order, end);
       if (share == 1) continue;
       event = {};
@@ -162,6 +178,7 @@ class RegularExpansion {
   const RegularTime& time() const { return time_; }
   const numerics::Series* pace() const { return pacer_ ? &time_.pace : nullptr; }  ///< null: s is the phase
   const std::vector<std::size_t>& touching() const { return touching_; }
+  bool sticks() const { return sticking_.count() > 0; }
   RegularContact& contact(std::size_t i) { return contacts_[i]; }
 
   /// Writes u then u' at s.
@@ -191,6 +208,7 @@ class RegularExpansion {
   bool begin_contacts(const State& state, const State& rate, const law::Dynamics<N, false>& law) {
     touching_.clear();
     touches_.clear();
+    sticking_.clear();
     pacer_ = nullptr;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const contact::Mode mode = law.modes()[i];
@@ -198,16 +216,18 @@ class RegularExpansion {
       RegularContact& c = contacts_[i];
       c.begin(laws_[i], mode, open ? 0 : law.slip_m_per_s(i, state), law.slips()[i]);
       if (open) continue;
-      if (c.sticks() || law.poised(i) || c.power().halves == 0) return false;
-      const bool paces = c.power().rooted() && !far_from_zero(i, law.kinematics(i, state, rate));
-      if (paces && pacer_) return false;
+      if (law.poised(i) || c.power().exponent == 0) return false;
+      const bool paces = !c.power().whole() && !far_from_zero(i, law.kinematics(i, state, rate));
+      if (paces && (pacer_ || !c.power().rooted())) return false;
       if (paces) pacer_ = &c;
+      if (c.sticks()) sticking_.add(i);
       c.begin_power(law.impact_damping(i), paces);
       touching_.push_back(i);
       touches_.push_back({&c, &system_.contacts[i]});
     }
     time_.even = !pacer_;
     if (time_.even) return true;
+    if (sticking_.count() > 0) return false;
     for (const Touch& touch : touches_) touch.contact->follow_pace();
     return true;
   }
@@ -254,6 +274,7 @@ class RegularExpansion {
       touch.contact->set_velocity(k, series_.velocity(*touch.scaled, k));
       series_.push(*touch.scaled, k, touch.contact->power_term(k));
     }
+    if (sticking_.count() > 0) sticking_.hold(k, contacts_, series_.acceleration(k));
   }
 
   /// Computes coefficient k of the pace, then coefficient k + 1 of everything whose rate is known.
@@ -287,6 +308,7 @@ class RegularExpansion {
   const RegularContact* pacer_ = nullptr;  ///< contact whose root is the pace; null: the pace is 1
   std::vector<ActingPulse> pulses_;
   RegularTime time_;
+  StickingContacts<N> sticking_;
   RegularSeries<N> series_;
 };
 

@@ -85,10 +85,10 @@ class TangentBundle {
     const Vector start = rate(0, 0);
     const double size =
         std::max(w(0, 0).template lpNorm<Eigen::Infinity>(), start.template lpNorm<Eigen::Infinity>());
-    contact::StickVector by(static_cast<Eigen::Index>(motion.sticking()));
+    const StickingContacts<N>& sticking = motion.sticking();
+    contact::StickVector by(static_cast<Eigen::Index>(sticking.count()));
     for (Eigen::Index j = 0; j < by.size(); ++j) {
-      if (motion.contact(motion.stuck(j)).creep())
-        holding_[0].creep(motion.stuck(j)).begin(sliding(motion, j));
+      if (motion.contact(sticking[j]).creep()) holding_[0].creep(sticking[j]).begin(sliding(motion, j));
     }
     for (int sweep = 0; sweep < most_creep_sweeps; ++sweep) {
       expand(motion, most, duration_rad, 0);
@@ -96,9 +96,9 @@ class TangentBundle {
       double change = 0;
       for (Eigen::Index j = 0; j < by.size(); ++j) {
         by(j) = 0;
-        if (!motion.contact(motion.stuck(j)).creep()) continue;
+        if (!motion.contact(sticking[j]).creep()) continue;
         change = std::max(change, swept(motion, j, most, duration_rad));
-        by(j) = holding_[0].creep(motion.stuck(j)).sliding()[0] - sliding(motion, j);
+        by(j) = holding_[0].creep(sticking[j]).sliding()[0] - sliding(motion, j);
       }
       if (change <= share_of_sweeps * accuracy * size)
         return (rate(0, 0) - start).template lpNorm<Eigen::Infinity>() <= accuracy * size;
@@ -112,7 +112,7 @@ class TangentBundle {
 
   /// Makes one sweep of a creeping contact; returns its change.
   double swept(Expansion<N>& motion, Eigen::Index stuck, int most, double duration_rad) {
-    const std::size_t i = motion.stuck(stuck);
+    const std::size_t i = motion.sticking()[stuck];
     CreepTangent& creep = holding_[0].creep(i);
     creep.sweep(
         *motion.contact(i).creep(), most, [&](int k) { return holding_[0].term(k, stuck); },
@@ -122,7 +122,7 @@ class TangentBundle {
 
   /// Variation of the sliding speed of contact `stuck` with the vector at the start of the expansion.
   double sliding(Expansion<N>& motion, Eigen::Index stuck) {
-    const std::size_t i = motion.stuck(stuck);
+    const std::size_t i = motion.sticking()[stuck];
     const ContactSeries& contact = motion.contact(i);
     const numerics::Twin moved = at_contact(system_.contacts[i], w(0, 0)),
                          speed = at_contact(system_.contacts[i], rate(0, 0));
@@ -216,7 +216,7 @@ class TangentBundle {
         a += system_.contacts[i].second_push * force[j][1];
       }
     }
-    if (motion.sticking() == 0) return;
+    if (motion.sticking().count() == 0) return;
     for (std::size_t i = 0; i < count; ++i)
       holding_[i].hold(motion, system_, contacts_, i, k, acceleration_.col(static_cast<Eigen::Index>(i)));
   }

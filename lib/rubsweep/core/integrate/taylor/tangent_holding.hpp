@@ -84,9 +84,10 @@ class TangentHolding {
   void hold(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
             const std::vector<ContactTangents<Count>>& contacts, std::size_t which, int k,
             Column acceleration) {
-    const auto stuck = static_cast<Eigen::Index>(motion.sticking());
+    const StickingContacts<N>& sticking = motion.sticking();
+    const auto stuck = static_cast<Eigen::Index>(sticking.count());
     for (Eigen::Index j = 0; j < stuck; ++j) {
-      const std::size_t i = motion.stuck(j);
+      const std::size_t i = sticking[j];
       if (!motion.contact(i).law().annular) continue;
       const numerics::Twin turned = turned_term(motion.contact(i), j, k);
       acceleration += system.contacts[i].first_push * turned[0];
@@ -94,18 +95,18 @@ class TangentHolding {
     }
     contact::StickVector rest(stuck);
     for (Eigen::Index j = 0; j < stuck; ++j) {
-      const std::size_t i = motion.stuck(j);
-      rest(j) = motion.tangential_row(i).dot(acceleration.transpose()) -
+      const std::size_t i = sticking[j];
+      rest(j) = sticking.row(i, motion.contact(i)).dot(acceleration.transpose()) -
                 keeping_term(motion.contact(i), contacts[i], which, creeps_[i], j, k);
     }
-    const contact::StickVector force = contact::holding_forces(motion.mobility(), rest);
+    const contact::StickVector force = contact::holding_forces(sticking.mobility(), rest);
     for (Eigen::Index j = 0; j < stuck; ++j)
-      acceleration += force(j) * motion.tangential_push(motion.stuck(j));
+      acceleration += force(j) * sticking.push(sticking[j], motion.contact(sticking[j]));
     Term& now = terms_[static_cast<std::size_t>(k)];
     for (Eigen::Index j = 0; j < stuck; ++j) {
       const auto at = static_cast<std::size_t>(j);
       now.force[at] = force(j);
-      now.acceleration[at] = at_contact(system.contacts[motion.stuck(j)], acceleration);
+      now.acceleration[at] = at_contact(system.contacts[sticking[j]], acceleration);
     }
   }
 

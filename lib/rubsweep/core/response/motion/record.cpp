@@ -78,10 +78,13 @@ std::optional<long> pass_until_settled(const integrate::run::Run& run, const Set
                                        integrate::run::TurnReport& turn) {
   SectionReturns returns(settling.order.value_or(1));
   if (settling.order) returns.returned(turn.section);
+  constexpr long turns_between_looks = 16;
   long in_flight = 0;
   for (long passed = 0; passed < settling.most_turns;) {
-    if (!made(run, {}, settling.most_work, turn)) return std::nullopt;
+    const bool looks = settling.most_force_n && passed > 0 && passed % turns_between_looks == 0;
+    if (!made(run, {.peaks = looks}, settling.most_work, turn)) return std::nullopt;
     ++passed;
+    if (looks && facts_of(turn).peak_contact_force_n > *settling.most_force_n) return std::nullopt;
     in_flight = turn.touched ? 0 : in_flight + 1;
     if (settling.longest_flight && in_flight > *settling.longest_flight) return std::nullopt;
     if (settling.order && returns.returned(turn.section) && passed >= settling.fewest_turns) return passed;

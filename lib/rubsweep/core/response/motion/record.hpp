@@ -54,6 +54,8 @@ struct Settling {
   /// The run is abandoned after more than this number of successive turns without contact, because its motion
   /// has ended.
   std::optional<int> longest_flight{};
+  /// The run is abandoned if a contact force in the 17th turn, or in each 16th turn after it, is larger.
+  std::optional<double> most_force_n{};
   double most_work = std::numeric_limits<double>::infinity();  ///< limit of the work, including the recording
 };
 

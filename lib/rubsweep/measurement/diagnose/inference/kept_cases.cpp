@@ -84,7 +84,7 @@ std::string cases_digest(const DiagnosisProblem& problem, const CaseOptions& opt
       problem.fixed.contact_radius_m, problem.fixed.casing_damping_ratio,
       problem.fixed.rotating_damping_ratio, problem.fixed.kit ? problem.fixed.kit->digest : "");
   const auto add = [&](const Spread& spread) {
-    text += fmt::format(" {}:{}:{}", spread.low, spread.high, spread.logarithmic);
+    text += fmt::format(" {}:{}:{}:{}", spread.low, spread.high, spread.logarithmic, spread.at_low);
   };
   for (const Candidate& candidate : problem.candidates) {
     text += fmt::format("{}", to_string(candidate.cause));

@@ -20,9 +20,16 @@ std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std:
   try {
     const double clearance_m = simulated_clearance_m(asked);
     const model::Machine machine = drawn_machine(asked.cause, values, clearance_m, problem.fixed);
-    auto motion = asked.cause == Cause::no_rub
-                      ? motion_without_contact(machine, problem.speed_hz, unbalance, problem.turns, workspace)
-                      : rubbing_motion(machine, problem.speed_hz, unbalance, problem.turns, workspace);
+    // Whirls far deeper than a machine survives take most time where the contact has an exponent.
+    constexpr double hopeless = 4;
+    std::optional<double> most_force_n;
+    if (value_of(values, Unknown::exponent) > 1)
+      most_force_n =
+          force_at_penetration_n(asked.cause, values, clearance_m, hopeless * usual_penetration_ratio);
+    auto motion =
+        asked.cause == Cause::no_rub
+            ? motion_without_contact(machine, problem.speed_hz, unbalance, problem.turns, workspace)
+            : rubbing_motion(machine, problem.speed_hz, unbalance, problem.turns, workspace, most_force_n);
     // The penetration scales with the clearance, as all lengths do, so the ratio does not change.
     if (!motion || penetration_ratio(asked.cause, values, clearance_m, motion->contact.peak_contact_force_n) >
                        usual_penetration_ratio)

@@ -1,4 +1,4 @@
-#include "rubsweep/maps/map/written_file.hpp"
+#include "shared/written_file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -9,7 +9,7 @@
 #include "rubsweep/maps/batch/sha256.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 namespace {
 
 class WrittenFile : public testing::Test {
@@ -75,4 +75,4 @@ TEST_F(WrittenFile, RecordingsOfASetAreThoseOfItsLabels) {
 }
 
 }  // namespace
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

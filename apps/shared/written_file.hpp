@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 
 /// First bytes of a file, enough for the head of a table; empty where it is no regular file.
 std::string begin_of(const std::filesystem::path& file);
@@ -48,4 +48,4 @@ struct CheckedRecordings {
 };
 CheckedRecordings check_set(const std::filesystem::path& labels);
 
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

@@ -1,4 +1,4 @@
-#include "rubsweep/maps/map/written_file.hpp"
+#include "shared/written_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 
 namespace fs = std::filesystem;
 
@@ -97,4 +97,4 @@ CheckedRecordings check_set(const fs::path& labels) {
   return checked;
 }
 
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps
