@@ -23,7 +23,7 @@ Record::Record(const scene::Scene& scene, const ResponseOptions& options)
       map_(scene::observed(scene) * scene.length_scale_m),
       length_scale_m_(scene.length_scale_m),
       states_(2 * static_cast<std::size_t>(scene.structure.coordinates())) {
-  const auto turns = static_cast<std::size_t>(2 * options.window_revolutions);
+  const auto turns = 2 * static_cast<std::size_t>(options.window_revolutions);
   displacement_m_.reserve(turns * static_cast<std::size_t>(options.samples_per_revolution));
   facts_.reserve(turns);
   section_.reserve((turns + 1) * states_);
