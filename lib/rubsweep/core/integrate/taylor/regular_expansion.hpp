@@ -61,6 +61,7 @@ class RegularExpansion {
     if (!begin_contacts(state, rate, law)) return false;
     for (int k = 0; k < order; ++k) {
       make_rate(k);
+      if (sticking_.count() > 0) hold(k);
       if (k == 0 && pacer_ && pacer_->root()[0] == 0 && pacer_->closing_term(0) <= 0) return false;
       advance(k);
     }
@@ -264,6 +265,9 @@ class RegularExpansion {
     touch.contact->set_distance(k, k == 0 ? distance + numerics::Twin{c.offset[0], c.offset[1]} : distance);
   }
 
+  /// A separate function, so that it does not take registers from expansions in which nothing sticks.
+  [[gnu::noinline]] void hold(int k) { sticking_.hold(k, contacts_, series_.acceleration(k)); }
+
   /// Computes coefficient k of the rates by the phase.
   void make_rate(int k) {
     series_.begin_rate(k);
@@ -274,7 +278,6 @@ class RegularExpansion {
       touch.contact->set_velocity(k, series_.velocity(*touch.scaled, k));
       series_.push(*touch.scaled, k, touch.contact->power_term(k));
     }
-    if (sticking_.count() > 0) sticking_.hold(k, contacts_, series_.acceleration(k));
   }
 
   /// Computes coefficient k of the pace, then coefficient k + 1 of everything whose rate is known.
