@@ -52,8 +52,8 @@ class RegularContact : public ContactSeries {
   void begin_power(double damping, bool is_pace) {
     damping_ = damping, is_pace_ = is_pace, by_quotient_ = !power_.whole() && !is_pace;
   }
-  /// After `begin_power`: another contact's root is the pace.
-  void follow_pace() { by_quotient_ = power_.halves == 0; }
+  /// After `begin_power`, with 2 n an integer: a contact's root is the pace.
+  void follow_pace() { by_quotient_ = false; }
   /// Coefficient k of the force, as ContactSeries::force_term.
   numerics::Twin power_term(int k) { return law_->annular ? round_term(k) : straight_term(k); }
   /// Computes coefficient k + 1 of r, of the root if it is the pace, and of the relative displacement without

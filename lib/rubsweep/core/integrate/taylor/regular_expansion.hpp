@@ -51,8 +51,8 @@ class RegularExpansion {
 
   /// Expands from `state` (u then u') and its rate with the modes, slips and dampings of `law`. False where
   /// there is no such series: a contact obeys another law, touches without closing, is near its beginning or
-  /// end with another n, or there beside a second one that is so or sticks; or the number of coordinates is
-  /// odd.
+  /// end with another n, or there beside a second one that is so, has another n or sticks; or the number of
+  /// coordinates is odd.
   template <class State>
   bool expand(const State& state, const State& rate, double phase_rad, const law::Dynamics<N, false>& law) {
     if (system_.coordinates() % 2 != 0) return false;
@@ -229,7 +229,11 @@ class RegularExpansion {
     time_.even = !pacer_;
     if (time_.even) return true;
     if (sticking_.count() > 0) return false;
-    for (const Touch& touch : touches_) touch.contact->follow_pace();
+    for (const Touch& touch : touches_) {
+      // The recurrence of its power away from p = 0 holds by the phase alone.
+      if (touch.contact->power().halves == 0) return false;
+      touch.contact->follow_pace();
+    }
     return true;
   }
 
