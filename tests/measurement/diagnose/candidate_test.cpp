@@ -39,6 +39,16 @@ TEST(Candidate, UsualOnesHaveNamesOfTheirOwn) {
   EXPECT_EQ(names, (std::set<std::string>{"no_rub", "one_side", "two_sides", "annular", "annular_offset"}));
 }
 
+TEST(Candidate, NoRubIsTwiceAsLikelyAsAllRubsTogether) {
+  const std::vector<double> prior = usual_prior(usual_candidates());
+  ASSERT_EQ(prior.size(), all_causes.size());
+  for (std::size_t c = 0; c < prior.size(); ++c)
+    EXPECT_DOUBLE_EQ(prior[c], all_causes[c] == Cause::no_rub ? 2.0 / 3 : 1.0 / 12);
+  const Candidate flat = usual_candidate(Cause::one_side), quiet = usual_candidate(Cause::no_rub);
+  EXPECT_EQ(usual_prior({flat, flat}), (std::vector<double>{0.5, 0.5}));
+  EXPECT_EQ(usual_prior({quiet, quiet, quiet, quiet}), (std::vector<double>(4, 0.25)));
+}
+
 TEST(Candidate, CornersOfTheUnitCubeAreTheBounds) {
   const Candidate candidate = usual_candidate(Cause::two_sides);
   Point low{}, high{};

@@ -54,7 +54,7 @@ CandidateFile read_file_root(const yaml::Value& root) {
     file.candidates = read_candidates(*value, true);
     if (file.candidates.size() < 2 && section.is_sound())
       yaml::refuse(*value, "has nothing to choose from", "two candidates or more");
-    file.prior.assign(file.candidates.size(), 1.0 / static_cast<double>(file.candidates.size()));
+    file.prior = diagnose::usual_prior(file.candidates);
   }
   diagnose::Spread clearance_m = usual_clearance_m;
   read_spread(section, "clearance_m", model::positive, true, clearance_m);
@@ -164,7 +164,7 @@ void read_measuring(const yaml::Value& value, diagnose::Measuring& measuring) {
 CandidateFile usual_candidate_file() {
   CandidateFile file{.candidates = diagnose::usual_candidates()};
   for (diagnose::Candidate& candidate : file.candidates) candidate.clearance_m = usual_clearance_m;
-  file.prior.assign(file.candidates.size(), 1.0 / static_cast<double>(file.candidates.size()));
+  file.prior = diagnose::usual_prior(file.candidates);
   return file;
 }
 

@@ -36,7 +36,7 @@ struct CandidateFile {
   diagnose::Measuring measuring{};                   ///< probes and readings come from the recording
 };
 
-CandidateFile usual_candidate_file();  ///< The usual candidates with equal probabilities.
+CandidateFile usual_candidate_file();  ///< The usual candidates with their usual prior.
 
 /// Reads clearance_m, eccentricity_m, candidates, prior and measurement; a missing key has its usual value.
 /// `name` stands for the file in messages. Throws ConfigError with every problem.

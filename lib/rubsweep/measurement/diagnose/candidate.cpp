@@ -1,5 +1,7 @@
 #include "rubsweep/measurement/diagnose/candidate.hpp"
 
+#include <algorithm>
+
 #include "rubsweep/core/model/normal_law.hpp"
 
 namespace rubsweep::diagnose {
@@ -65,6 +67,19 @@ std::vector<Candidate> usual_candidates() {
   candidates.reserve(all_causes.size());
   for (const Cause cause : all_causes) candidates.push_back(usual_candidate(cause));
   return candidates;
+}
+
+std::vector<double> usual_prior(const std::vector<Candidate>& candidates) {
+  constexpr double without_rub = 2.0 / 3;
+  const auto quiet = [](const Candidate& candidate) { return candidate.cause == Cause::no_rub; };
+  const auto all = static_cast<double>(candidates.size()),
+             still = static_cast<double>(std::ranges::count_if(candidates, quiet));
+  std::vector<double> prior;
+  for (const Candidate& candidate : candidates)
+    prior.push_back(still == 0 || still == all ? 1 / all
+                    : quiet(candidate)         ? without_rub / still
+                                               : (1 - without_rub) / (all - still));
+  return prior;
 }
 
 Point values_at(const Candidate& candidate, const Point& unit) {

@@ -72,13 +72,16 @@ std::optional<LastingMotion> run_again(const DiagnosisProblem& problem, const Si
 double information_of(const DiagnosisProblem& changed, const Diagnosis& diagnosis,
                       const std::vector<std::size_t>& drawn, int threads) {
   std::vector<std::optional<Eigen::VectorXd>> seen(drawn.size());
-  batch::parallel_run(drawn.size(), threads, [&](std::size_t k) {
+  batch::parallel_run(drawn.size(), threads, [&](std::size_t first) {
+    if (first > 0 && drawn[first] == drawn[first - 1]) return;
     thread_local response::spectrum::SpectrumWorkspace workspace;
-    SimulatedCase again = diagnosis.set.cases[drawn[k]];
+    SimulatedCase again = diagnosis.set.cases[drawn[first]];
     auto motion = run_again(changed, again, workspace);
     if (!motion) return;
     again.motion = *std::move(motion);
-    seen[k] = features::values_of(observe(changed, again, k, workspace).seen.features);
+    // A case with a large weight is drawn several times, and measured each time.
+    for (std::size_t k = first; k < drawn.size() && drawn[k] == drawn[first]; ++k)
+      seen[k] = features::values_of(observe(changed, again, k, workspace).seen.features);
   });
   forest::LabelledSamples samples{.classes = static_cast<int>(changed.candidates.size())};
   std::vector<Eigen::VectorXd> rows;

@@ -76,7 +76,8 @@ Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::s
     thread_local response::spectrum::SpectrumWorkspace workspace;
     RandomStream random(problem.seed, k, DrawPurpose::of_another_cause);
     MotionLines lines =
-        up_to(vibration_of_another_cause(problem.turns, random, workspace), seen_order(problem.measuring));
+        up_to(vibration_of_another_cause(problem.turns, problem.measuring.natural_order, random, workspace),
+              seen_order(problem.measuring));
     if (problem.measuring.from_rest) lines.at(0) = mean_of_another_cause(problem.seed, k);
     double probe_angle_rad = 0;
     const MotionLines seen = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
