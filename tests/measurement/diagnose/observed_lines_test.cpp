@@ -143,39 +143,6 @@ TEST(ObservedLines, HaveASmallFreeVibrationAtTheNaturalFrequencyInHalfOfTheCases
   EXPECT_NEAR(natural, 200, 33);
 }
 
-TEST(ObservedLines, HaveTheShareOfASecondModeInHalfOfTheCases) {
-  Measuring measuring = undisturbed(2);
-  measuring.second_mode = true;
-  measuring.natural_order = 0.5;
-  double probe_angle_rad = 0;
-  int unchanged = 0, strongest = 0;
-  constexpr int draws = 400;
-  for (std::uint64_t k = 0; k < draws; ++k) {
-    RandomStream random(9, k, 2);
-    MotionLines lines{20, Eigen::VectorXcd::Ones(2 * 160 + 1)};
-    const MotionLines seen = observed(lines, measuring, random, probe_angle_rad);
-    if (std::abs(seen.at(1) - 1.0) + std::abs(seen.at(150) - 1.0) < 1e-6) {
-      ++unchanged;
-      continue;
-    }
-    // At the first natural frequency the first mode alone answers; far above both, shares of accelerations.
-    EXPECT_LT(std::abs(seen.at(10) - 1.0), 1e-6);
-    EXPECT_LT(std::abs(seen.at(160) - seen.at(-160)), 0.1);
-    EXPECT_LT(std::abs(seen.at(160) - 1.0), 0.5);
-    int largest = 1;
-    for (int j = 1; j <= seen.last(); ++j) {
-      EXPECT_LT(std::abs(seen.at(-j) - std::conj(seen.at(j))), 1e-6);
-      if (std::abs(seen.at(j) - 1.0) > std::abs(seen.at(largest) - 1.0)) largest = j;
-    }
-    // The second natural frequency is 2.5 to 6 times the first.
-    EXPECT_GE(largest, 24);
-    EXPECT_LE(largest, 61);
-    strongest += std::abs(seen.at(largest) - 1.0) > 1;
-  }
-  EXPECT_NEAR(unchanged, draws / 2, 40);
-  EXPECT_GT(strongest, draws / 8);
-}
-
 TEST(ObservedLines, DecayAsAFreeVibrationDoes) {
   // Over thirds of the recorded turns, the energy of an exponential has a geometric mean in the middle.
   Measuring measuring = undisturbed(2);

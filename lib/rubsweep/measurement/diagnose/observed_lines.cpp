@@ -58,22 +58,6 @@ std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, 
   return drawn;
 }
 
-/// Adds what the forces that make these lines excite in a second bending mode, in half of the cases: with
-/// s = i order, the receptance of the first mode, 1 / (n^2 + s^2), is multiplied by 1 plus that of the second
-/// one over it. `share` is the product of the second mode shape at stop and probe over that of the first.
-void add_second_mode(double natural_order, RandomStream& random, MotionLines& seen) {
-  constexpr double lowest = 2.5, highest = 6, most_share = 0.25, least_damping = 0.005, most_damping = 0.05;
-  if (random.uniform() < 0.5) return;
-  const double order = natural_order * lowest * std::pow(highest / lowest, random.uniform()),
-               damping = least_damping * std::pow(most_damping / least_damping, random.uniform()),
-               share = most_share * (2 * random.uniform() - 1);
-  for (int k = -seen.last(); k <= seen.last(); ++k) {
-    const Complex s(0, static_cast<double>(k) / seen.turns);
-    seen.at(k) *= 1.0 + share * (natural_order * natural_order + s * s) /
-                            (order * order + s * (2 * damping * order) + s * s);
-  }
-}
-
 /// Adds a vibration that decays: at the natural frequency, or, in half of the cases, at any order. It is an
 /// ellipse of any form. Its amplitude is uniform in the logarithm, down to a thousandth of the largest.
 void add_free_vibration(const Measuring& measuring, double size, RandomStream& random, MotionLines& seen) {
@@ -147,7 +131,6 @@ MotionLines observed(const MotionLines& motion, const Measuring& measuring, Rand
                      double& probe_angle_rad) {
   const double size = size_of(motion);
   MotionLines seen = motion;
-  if (measuring.second_mode) add_second_mode(measuring.natural_order, random, seen);
   for (const OtherLine& line : draw_other_lines(measuring.other_lines, size, random))
     if (std::abs(line.order) * seen.turns <= seen.last()) seen.at(line.order * seen.turns) += line.amplitude;
   add_free_vibration(measuring, size, random, seen);

@@ -61,14 +61,13 @@ struct Measuring {
   double gain_error = 0.02;      ///< standard deviation of each probe's gain about 1
   double free_vibration = 0.01;  ///< largest amplitude of a free vibration / size of the motion
   double natural_order = 0;      ///< natural frequency / speed, known to 2 %; 0: not known
-  bool second_mode = false;      ///< whether the rotor may have a second bending mode that no case has
   /// Standard deviation of the rest position, in x and in y, divided by the size of the motion: a shaft does
   /// not always come to rest at the same place.
   static constexpr double rest_error = 0.02;
 };
 
-/// Lines of a motion as an instrument measures them, with the share of a random second mode, random run-out
-/// and lines of other origin, a small free vibration, probe gains, and noise. The direction of a single probe is drawn as well, unless it is
+/// Lines of a motion as an instrument measures them, with random run-out and lines of other origin, a small
+/// free vibration, probe gains, and noise. The direction of a single probe is drawn as well, unless it is
 /// known, and returned in `probe_angle_rad`, from +x to +y.
 MotionLines observed(const MotionLines& motion, const Measuring& measuring, RandomStream& random,
                      double& probe_angle_rad);

@@ -87,7 +87,6 @@ RecordedProblem recorded_problem(DiagnosedMachine machine, recording::Recording 
   const diagnose::Spread& natural_hz = machine.natural_frequency_hz;
   problem.measuring.natural_order =
       (natural_hz.low + natural_hz.high) / 2 / recorded.recording.mean_speed_hz();
-  problem.measuring.second_mode = !machine.fixed.kit;
   return recorded;
 }
 

@@ -83,15 +83,13 @@ TEST(CaseSet, DoesNotDependOnThreads) {
   }
 }
 
-TEST(CaseSet, WeighsCandidatesAsThePriorSays) {
-  DiagnosisProblem problem = small_problem();
-  problem.prior = {0.2, 0.8};
-  const Eigen::VectorXd weight = importance_weights(problem, small_set());
+TEST(CaseSet, CasesOfACandidateWeighOneTogether) {
+  const Eigen::VectorXd weight = importance_weights(small_problem(), small_set());
   double second = 0;
   for (std::size_t i = 0; i < small_set().cases.size(); ++i)
     if (small_set().cases[i].candidate == 1) second += weight(static_cast<Eigen::Index>(i));
-  EXPECT_NEAR(second, 0.8, 1e-12);
-  EXPECT_NEAR(weight.sum(), 1, 1e-12);
+  EXPECT_NEAR(second, 1, 1e-12);
+  EXPECT_NEAR(weight.sum(), 2, 1e-12);
 }
 
 TEST(CaseSet, KeepsTheMeanOfAnUnknownWhateverIsDrawnMoreOften) {

@@ -29,6 +29,21 @@ TEST(Posterior, KnowsASubharmonicRubFromNone) {
   }
 }
 
+/// Bayes' theorem: odds of two candidates are multiplied by their prior odds.
+TEST(Posterior, OddsAreThoseOfEqualPriorsTimesThePriorOdds) {
+  DiagnosisProblem problem = small_problem();
+  for (const std::size_t candidate : {0U, 1U}) {
+    problem.prior = {0.5, 0.5};
+    const Posterior equal = posterior_of_case(candidate, problem);
+    problem.prior = {0.2, 0.8};
+    const Posterior likelier = posterior_of_case(candidate, problem);
+    const auto odds = [](const Posterior& p) { return p.probability(1) / p.probability(0); };
+    EXPECT_NEAR(odds(likelier) / odds(equal), 4, 1e-9);
+    const auto of_none = [](const Posterior& p) { return p.none / ((1 - p.none) * p.probability(0)); };
+    EXPECT_NEAR(of_none(likelier) / of_none(equal), 2.5, 1e-9);
+  }
+}
+
 TEST(PosteriorPValue, FindsNothingStrangeInACase) {
   ObservedCases observed;
   observe_cases(small_problem(), small_set(), 0, observed);

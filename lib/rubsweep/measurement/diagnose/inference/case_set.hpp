@@ -65,8 +65,8 @@ void add_proposed_cases(const DiagnosisProblem& problem, std::size_t candidate, 
                         int count, int round, const CaseOptions& options, CaseSet& set);
 
 /// Weight of every case: density of the prior divided by the mean density of all draws of its candidate
-/// (deterministic mixture; Owen, Zhou 2000). The weights of each candidate add up to its prior probability; a
-/// candidate without cases has no weight.
+/// (deterministic mixture; Owen, Zhou 2000). The weights of each candidate add up to 1; a candidate without
+/// cases has no weight.
 Eigen::VectorXd importance_weights(const DiagnosisProblem& problem, const CaseSet& set);
 
 }  // namespace rubsweep::diagnose::inference

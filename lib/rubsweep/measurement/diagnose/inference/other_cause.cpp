@@ -139,18 +139,9 @@ void add_directional_series(Vibration& vibration, RandomStream& random) {
   }
 }
 
-/// Multiplies lines by the receptance of the rotor over that at 1X.
-void answer_forces(double natural_order, RandomStream& random, MotionLines& lines) {
-  const double damping = between_logarithms(0.005, 0.05, random), square = natural_order * natural_order;
-  for (int k = -lines.last(); k <= lines.last(); ++k) {
-    const Complex s(0, static_cast<double>(k) / lines.turns);
-    lines.at(k) *= (square - 1) / (square + s * (2 * damping * natural_order) + s * s);
-  }
-}
-
 }  // namespace
 
-MotionLines vibration_of_another_cause(int turns, double natural_order, RandomStream& random,
+MotionLines vibration_of_another_cause(int turns, RandomStream& random,
                                        response::spectrum::SpectrumWorkspace& workspace) {
   Vibration vibration(turns);
   constexpr double unequal_supports = 0.125;
@@ -170,9 +161,7 @@ MotionLines vibration_of_another_cause(int turns, double natural_order, RandomSt
       add_oil_whirl(vibration, amplitude, random);
     }
   }
-  MotionLines lines = lines_of(vibration.samples(), turns, most_order, workspace);
-  if (natural_order > 0 && random.uniform() < 0.5) answer_forces(natural_order, random, lines);
-  return lines;
+  return lines_of(vibration.samples(), turns, most_order, workspace);
 }
 
 }  // namespace rubsweep::diagnose::inference

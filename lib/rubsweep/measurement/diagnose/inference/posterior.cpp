@@ -76,8 +76,7 @@ Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::s
     thread_local response::spectrum::SpectrumWorkspace workspace;
     RandomStream random(problem.seed, k, DrawPurpose::of_another_cause);
     MotionLines lines =
-        up_to(vibration_of_another_cause(problem.turns, problem.measuring.natural_order, random, workspace),
-              seen_order(problem.measuring));
+        up_to(vibration_of_another_cause(problem.turns, random, workspace), seen_order(problem.measuring));
     if (problem.measuring.from_rest) lines.at(0) = mean_of_another_cause(problem.seed, k);
     double probe_angle_rad = 0;
     const MotionLines seen = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
@@ -89,6 +88,8 @@ Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::s
 }
 
 /// Training samples: each case has the label of its candidate; vibrations of other causes are the last class.
+/// All classes weigh the same: leaves of a full-grown tree hold a few cases, mostly of one class, whatever
+/// their weights are, so that priors count only after the forest.
 forest::LabelledSamples samples_of(const DiagnosisProblem& problem, const CaseSet& set,
                                    const ObservedCases& observed) {
   const Eigen::Index cases = observed.features.rows(), others = observed.of_other_causes.rows();
@@ -98,8 +99,9 @@ forest::LabelledSamples samples_of(const DiagnosisProblem& problem, const CaseSe
                                   Eigen::VectorXd(cases + others),
                                   candidates + 1};
   samples.features << observed.features, observed.of_other_causes;
-  samples.weight.head(cases) = (1 - prior_of_none) * importance_weights(problem, set);
-  samples.weight.tail(others).setConstant(prior_of_none / static_cast<double>(others));
+  samples.weight.head(cases) = importance_weights(problem, set);
+  samples.weight.tail(others).setConstant(1 / static_cast<double>(others));
+  samples.weight /= samples.classes;
   for (const SimulatedCase& one : set.cases) samples.label.push_back(static_cast<int>(one.candidate));
   samples.label.resize(static_cast<std::size_t>(cases + others), candidates);
   return samples;
@@ -179,7 +181,11 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   if (share.sum() == 0) share(samples.classes - 1) = 1;
   posterior.sharpness =
       best_sharpness(posterior.forest->out_of_bag_probabilities(), samples.label, samples.weight);
-  const Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness);
+  Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness);
+  for (std::size_t c = 0; c < problem.prior.size(); ++c)
+    all(static_cast<Eigen::Index>(c)) *= (1 - prior_of_none) * problem.prior[c];
+  all(samples.classes - 1) *= prior_of_none;
+  all /= all.sum();
   posterior.none = all(samples.classes - 1);
   posterior.probability = all.head(samples.classes - 1).transpose() / (1 - posterior.none);
   posterior.weight = weight.head(cases);

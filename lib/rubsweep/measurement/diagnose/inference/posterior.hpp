@@ -39,7 +39,9 @@ struct ObservedCases {
 /// causes, as many as a candidate has cases.
 void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads, ObservedCases& observed);
 
-/// Posterior from a forest in which vibrations of other causes form one more class.
+/// Posterior from a forest in which vibrations of other causes form one more class. The forest compares
+/// classes as if they were equally likely; its probabilities are then multiplied by the priors (Bayes'
+/// theorem).
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
                        const features::DescribedMotion& seen, int threads);
 
