@@ -70,15 +70,15 @@ std::vector<Candidate> usual_candidates() {
 }
 
 std::vector<double> usual_prior(const std::vector<Candidate>& candidates) {
-  constexpr double without_rub = 2.0 / 3;
+  constexpr double without_over_with_rub = 2;
   const auto quiet = [](const Candidate& candidate) { return candidate.cause == Cause::no_rub; };
-  const auto all = static_cast<double>(candidates.size()),
-             still = static_cast<double>(std::ranges::count_if(candidates, quiet));
+  const auto still = static_cast<double>(std::ranges::count_if(candidates, quiet)),
+             rubs = static_cast<double>(candidates.size()) - still;
+  const double of_still = still == 0 || rubs == 0 ? 1 : without_over_with_rub * rubs / still,
+               all = of_still * still + rubs;
   std::vector<double> prior;
-  for (const Candidate& candidate : candidates)
-    prior.push_back(still == 0 || still == all ? 1 / all
-                    : quiet(candidate)         ? without_rub / still
-                                               : (1 - without_rub) / (all - still));
+  prior.reserve(candidates.size());
+  for (const Candidate& candidate : candidates) prior.push_back((quiet(candidate) ? of_still : 1) / all);
   return prior;
 }
 

@@ -15,7 +15,7 @@
 namespace rubsweep::integrate::adaptive {
 
 /// Method that makes steps by power series of a regular time (taylor::RegularExpansion), each as long as they
-/// are accurate: to a share of the tolerance, at least to 1e-11. Steps that have no such series, or whose
+/// are accurate: to a thousandth of the tolerance, at least to 1e-9. Steps that have no such series, or whose
 /// friction is stiff, are made by the stepper of the options.
 template <int N>
 class SeriesStep final : public StepMethod {
