@@ -124,7 +124,7 @@ CaseSet prior_cases(const DiagnosisProblem& problem, const CaseOptions& options)
   std::vector<std::vector<SimulatedCase>> cases(candidates);
   std::vector<long> drawn(candidates, 0);
   const auto unfinished = [&](std::size_t c) { return cases[c].size() < wanted && drawn[c] < most; };
-  // All candidates get draws at once: some draws take very long, and an interrupted set has cases of all.
+  // All candidates get draws at once, as some draws take very long.
   while (!stopped(options)) {
     std::vector<std::size_t> open;
     for (std::size_t c = 0; c < candidates; ++c)
@@ -133,12 +133,12 @@ CaseSet prior_cases(const DiagnosisProblem& problem, const CaseOptions& options)
     auto found = simulated(
         problem, open.size() * draws_together,
         [&](std::size_t k) {
-          const std::size_t c = open[k % open.size()];
-          return std::pair(c, prior_point(problem, c, drawn[c] + static_cast<long>(k / open.size())));
+          const std::size_t c = open[k / draws_together];
+          return std::pair(c, prior_point(problem, c, drawn[c] + static_cast<long>(k % draws_together)));
         },
         options);
     for (std::size_t k = 0; k < found.size(); ++k)
-      if (found[k]) cases[open[k % open.size()]].push_back(*std::move(found[k]));
+      if (found[k]) cases[open[k / draws_together]].push_back(*std::move(found[k]));
     for (const std::size_t c : open) drawn[c] += draws_together;
     if (!options.on_cases) continue;
     std::size_t done = 0;
