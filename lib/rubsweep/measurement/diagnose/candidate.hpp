@@ -80,7 +80,7 @@ Candidate usual_candidate(Cause cause);
 std::vector<Candidate> usual_candidates();  ///< One usual candidate for every cause.
 
 /// Probabilities of candidates before a recording is looked at; they add up to 1. A stop that is not touched
-/// leaves no trace, and of the machines that the usual ranges of a rub give, about two in three do not rub:
+/// leaves no trace, and about two in three machines of the usual ranges of a rub do not rub, or rub too deep:
 /// candidates without rub have two thirds together. Equal probabilities where all candidates rub, or none.
 std::vector<double> usual_prior(const std::vector<Candidate>& candidates);
 
