@@ -42,9 +42,9 @@ constexpr int draws_together = 128;
 
 /// Simulates draws 0 to `count` - 1 at once; `draw_of` gives candidate and point of each. Empty where a draw
 /// is no case.
-template <class Draw_of>
+template <class DrawOf>
 std::vector<std::optional<SimulatedCase>> simulated(const DiagnosisProblem& problem, std::size_t count,
-                                                    const Draw_of& draw_of, const CaseOptions& options) {
+                                                    const DrawOf& draw_of, const CaseOptions& options) {
   std::vector<std::optional<SimulatedCase>> cases(count);
   const std::atomic<bool> go_on{false};
   batch::parallel_run(
