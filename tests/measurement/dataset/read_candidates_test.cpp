@@ -108,8 +108,9 @@ TEST(ReadCandidates, UsualListHasEveryCause) {
     EXPECT_EQ(usual.candidates[c].cause, diagnose::all_causes[c]);
     EXPECT_GT(usual.candidates[c].clearance_m.low, 0);
     EXPECT_GT(usual.candidates[c].clearance_m.high, usual.candidates[c].clearance_m.low);
+    EXPECT_DOUBLE_EQ(usual.prior[c],
+                     usual.candidates[c].cause == diagnose::Cause::no_rub ? 2.0 / 3 : 1.0 / 12);
   }
-  EXPECT_EQ(usual.prior, diagnose::usual_prior(usual.candidates));
 }
 
 TEST(ReadCandidates, WhatIsMissingIsUsual) {
@@ -120,6 +121,12 @@ TEST(ReadCandidates, WhatIsMissingIsUsual) {
   EXPECT_EQ(read.candidates[1].clearance_m.low, usual.candidates[1].clearance_m.low);
   EXPECT_EQ(read.measuring.gain_error, 0.05);
   EXPECT_EQ(read.measuring.noise_share.high, usual.measuring.noise_share.high);
+}
+
+TEST(ReadCandidates, NoRubIsTwiceAsLikelyAsTheRubsOfAListWithoutPrior) {
+  const CandidateFile read =
+      read_candidate_file_text("candidates: [one_side, no_rub, annular, two_sides]\n", "list.yaml");
+  EXPECT_EQ(read.prior, (std::vector<double>{1.0 / 9, 6.0 / 9, 1.0 / 9, 1.0 / 9}));
 }
 
 TEST(ReadCandidates, ClearanceOfTheFileIsThatOfCandidatesWithoutTheirOwn) {

@@ -157,31 +157,6 @@ TEST(SeriesStep, LeavesOtherLawsToTheStepper) {
   EXPECT_TRUE(first.vectors.isIdentity(0));
 }
 
-/// A second stop, already pressed, whose exponent is no half of an integer: the recurrence of such a force
-/// holds by the phase, not by the time of a contact that begins.
-TEST(SeriesStep, LeavesABeginningToTheStepperBesideAContactWithoutSeriesToItsEnd) {
-  for (const double exponent : {1.3, 2.0}) {
-    scene::Scene scene = Touching::made(1.5, contact::FlatWall{{0, 1}}, model::ConstantFriction{0}, 0);
-    scene.contacts.push_back(scene.contacts[0]);
-    scene.contacts[1].clearance_m = 0.9e-3;
-    give_law(power_stop(1e6 / std::pow(5e-5, exponent - 1), exponent), scene.contacts[1]);
-    const run::ScaledSystem<4> system = run::scale<4>(scene);
-    const run::PulseTimes pulses(scene, system.scale, 2 * std::numbers::pi);
-    law::Dynamics<4, false> law(system, 0);
-    law.follow(pulses);
-    taylor::RegularExpansion<4> expansion(system, 1e-11);
-    const State begins = {0.1, 1, 0, 0, 0.2, 0.8, 0, 0};
-    for (int i : {0, 1}) {
-      law.modes()[std::size_t(i)] = contact::Mode::sprung;
-      law.slips()[std::size_t(i)] = contact::Slip::forward;
-      law.begin_impact(std::size_t(i), 0.8);
-    }
-    State rate(8);
-    law(begins, rate, 0.5);
-    EXPECT_EQ(expansion.expand(begins, rate, 0.5, law), exponent == 2) << exponent;
-  }
-}
-
 TEST(SeriesStep, MovesTangentVectorsOverItsSteps) {
   FirstStep first(1.5);
   const Step& step = first.at.step;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/integrate/curved_machine.hpp"
@@ -20,10 +21,16 @@ using std::numbers::pi;
 
 /// A mass of 2 kg that touches a wall of 1e4 N/m^1.5 at one clearance per radian, a millimetre in a second.
 struct Impact {
-  Impact() : system(run::scale<2>(scene)), law(system, 0), pulses(scene, system.scale, 2 * pi) {
+  explicit Impact(scene::Scene made = touching())
+      : scene(std::move(made)),
+        system(run::scale<2>(scene)),
+        law(system, 0),
+        pulses(scene, system.scale, 2 * pi) {
     law.follow(pulses);
-    law.modes()[0] = contact::Mode::sprung;
-    law.begin_impact(0, 1);
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+      law.modes()[i] = contact::Mode::sprung;
+      law.begin_impact(i, 1);
+    }
   }
 
   static scene::Scene touching() {
@@ -40,7 +47,7 @@ struct Impact {
     return motion.expand(state, rate, 0, law);
   }
 
-  scene::Scene scene = touching();
+  scene::Scene scene;
   run::ScaledSystem<2> system;
   law::Dynamics<2, false> law;
   run::PulseTimes pulses;
@@ -127,6 +134,19 @@ TEST(RegularExpansion, InvertsItsTime) {
     EXPECT_NEAR(motion.time().parameter_at(motion.time().phase_after(share * end), end), share * end,
                 1e-14 * end);
   EXPECT_EQ(motion.time().parameter_at(0, end), 0);
+}
+
+/// A second wall, already pressed. Where 2 n is no integer, the recurrence of its force holds by the phase,
+/// not by the time of the contact that begins.
+TEST(RegularExpansion, HasNoBeginningBesideAContactWhoseSeriesAreOfThePhase) {
+  for (const double exponent : {1.3, 2.0}) {
+    scene::Scene scene = Impact::touching();
+    scene.contacts.push_back(test::wall_across_x(1, 0.9e-3, 1, 0));
+    test_curved::give_law(test_curved::power_stop(1e4, exponent), scene.contacts[1]);
+    Impact impact(scene);
+    RegularExpansion<2> motion(impact.system, rounding_of_series);
+    EXPECT_EQ(impact.expand(motion, impact.start), exponent == 2) << exponent;
+  }
 }
 
 }  // namespace

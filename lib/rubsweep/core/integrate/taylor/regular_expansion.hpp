@@ -197,11 +197,11 @@ class RegularExpansion {
   void start_pulses(double phase_rad, const run::PulseTimes& pulses) {
     pulses_.clear();
     for (const std::size_t i : pulses.acting()) {
-      pulses_.emplace_back();
-      pulses_.back().index = i;
       const double angle = system_.pulses[i].rate * (pulses.elapsed(i) + phase_rad);
-      pulses_.back().sine.set(0, std::sin(angle));
-      pulses_.back().cosine.set(0, std::cos(angle));
+      ActingPulse& pulse = pulses_.emplace_back();
+      pulse.index = i;
+      pulse.sine.set(0, std::sin(angle));
+      pulse.cosine.set(0, std::cos(angle));
     }
   }
 
@@ -228,12 +228,10 @@ class RegularExpansion {
     }
     time_.even = !pacer_;
     if (time_.even) return true;
-    if (sticking_.count() > 0) return false;
-    for (const Touch& touch : touches_) {
-      // The recurrence of its power away from p = 0 holds by the phase alone.
-      if (touch.contact->power().halves == 0) return false;
-      touch.contact->follow_pace();
-    }
+    // The recurrence of a power whose 2 n is no integer holds by the phase alone.
+    const auto by_phase = [](const Touch& touch) { return touch.contact->power().halves == 0; };
+    if (sticking_.count() > 0 || std::ranges::any_of(touches_, by_phase)) return false;
+    for (const Touch& touch : touches_) touch.contact->follow_pace();
     return true;
   }
 

@@ -36,26 +36,25 @@ double folded_density(double x, double centre, double deviation) {
   return sum;
 }
 
-/// Draws of a candidate that are simulated together. Drawing ends only after all of them, so the number of
-/// threads does not change the result.
+/// Draws simulated as one batch. Drawing ends only after a whole batch, so the number of threads does not
+/// change the result.
 constexpr int draws_together = 128;
 
-/// Simulates draws 0 to `count` - 1 at once; `draw_of` gives candidate and point of each. Empty where a draw
-/// is no case.
-template <class DrawOf>
-std::vector<std::optional<SimulatedCase>> simulated(const DiagnosisProblem& problem, std::size_t count,
-                                                    const DrawOf& draw_of, const CaseOptions& options) {
-  std::vector<std::optional<SimulatedCase>> cases(count);
+/// Simulates draws and keeps the successful ones as cases, in the order of the draws.
+template <class Point_of>
+void simulate_draws(const DiagnosisProblem& problem, std::size_t candidate, int count,
+                    const Point_of& point_of, const CaseOptions& options, std::vector<SimulatedCase>& cases) {
+  std::vector<std::optional<SimulatedCase>> simulated(static_cast<std::size_t>(count));
   const std::atomic<bool> go_on{false};
   batch::parallel_run(
-      count, options.threads,
+      simulated.size(), options.threads,
       [&](std::size_t k) {
         thread_local response::spectrum::SpectrumWorkspace workspace;
-        const std::pair<std::size_t, Point> draw = draw_of(k);
-        cases[k] = simulate_case(problem, draw.first, draw.second, workspace);
+        simulated[k] = simulate_case(problem, candidate, point_of(static_cast<long>(k)), workspace);
       },
       {}, options.stop ? *options.stop : go_on);
-  return cases;
+  for (auto& one : simulated)
+    if (one) cases.push_back(*std::move(one));
 }
 
 /// Index of the random stream of draw number `draw` of a candidate in a round.
@@ -124,26 +123,22 @@ CaseSet prior_cases(const DiagnosisProblem& problem, const CaseOptions& options)
   std::vector<std::vector<SimulatedCase>> cases(candidates);
   std::vector<long> drawn(candidates, 0);
   const auto unfinished = [&](std::size_t c) { return cases[c].size() < wanted && drawn[c] < most; };
-  // All candidates get draws at once, as some draws take very long.
-  while (!stopped(options)) {
-    std::vector<std::size_t> open;
-    for (std::size_t c = 0; c < candidates; ++c)
-      if (unfinished(c)) open.push_back(c);
-    if (open.empty()) break;
-    auto found = simulated(
-        problem, open.size() * draws_together,
-        [&](std::size_t k) {
-          const std::size_t c = open[k / draws_together];
-          return std::pair(c, prior_point(problem, c, drawn[c] + static_cast<long>(k % draws_together)));
-        },
-        options);
-    for (std::size_t k = 0; k < found.size(); ++k)
-      if (found[k]) cases[open[k / draws_together]].push_back(*std::move(found[k]));
-    for (const std::size_t c : open) drawn[c] += draws_together;
-    if (!options.on_cases) continue;
-    std::size_t done = 0;
-    for (std::size_t c = 0; c < candidates; ++c) done += unfinished(c) ? cases[c].size() : wanted;
-    options.on_cases(done, wanted * candidates);
+  // Candidates get their batches in turn, so that an interrupted set has cases of all of them.
+  for (bool any = true; any && !stopped(options);) {
+    any = false;
+    for (std::size_t c = 0; c < candidates; ++c) {
+      if (!unfinished(c) || stopped(options)) continue;
+      const long before = drawn[c];
+      simulate_draws(
+          problem, c, draws_together, [&](long k) { return prior_point(problem, c, before + k); }, options,
+          cases[c]);
+      drawn[c] += draws_together;
+      any = true;
+      if (!options.on_cases) continue;
+      std::size_t done = 0;
+      for (std::size_t k = 0; k < candidates; ++k) done += unfinished(k) ? cases[k].size() : wanted;
+      options.on_cases(done, wanted * candidates);
+    }
   }
   CaseSet set;
   for (std::size_t c = 0; c < candidates; ++c) {
@@ -155,19 +150,15 @@ CaseSet prior_cases(const DiagnosisProblem& problem, const CaseOptions& options)
 
 void add_proposed_cases(const DiagnosisProblem& problem, std::size_t candidate, const Proposal& proposal,
                         int count, int round, const CaseOptions& options, CaseSet& set) {
-  auto found = simulated(
-      problem, static_cast<std::size_t>(count),
-      [&](std::size_t k) {
-        RandomStream random(problem.seed, stream_index(round, candidate, static_cast<long>(k)),
-                            DrawPurpose::of_proposal);
-        return std::pair(candidate, proposal.draw(random));
+  const std::size_t before = set.cases.size();
+  simulate_draws(
+      problem, candidate, count,
+      [&](long k) {
+        RandomStream random(problem.seed, stream_index(round, candidate, k), DrawPurpose::of_proposal);
+        return proposal.draw(random);
       },
-      options);
-  for (auto& one : found) {
-    if (!one) continue;
-    one->proposed = true;
-    set.cases.push_back(*std::move(one));
-  }
+      options, set.cases);
+  for (std::size_t i = before; i < set.cases.size(); ++i) set.cases[i].proposed = true;
   set.draws.push_back({candidate, count, proposal});
 }
 
@@ -185,10 +176,8 @@ Eigen::VectorXd importance_weights(const DiagnosisProblem& problem, const CaseSe
     weight(i) = drawn / mixture;
     all[one.candidate] += weight(i);
   }
-  for (Eigen::Index i = 0; i < weight.size(); ++i) {
-    const std::size_t c = set.cases[static_cast<std::size_t>(i)].candidate;
-    weight(i) /= all[c];
-  }
+  for (Eigen::Index i = 0; i < weight.size(); ++i)
+    weight(i) /= all[set.cases[static_cast<std::size_t>(i)].candidate];
   return weight;
 }
 

@@ -79,7 +79,7 @@ double information_of(const DiagnosisProblem& changed, const Diagnosis& diagnosi
     auto motion = run_again(changed, again, workspace);
     if (!motion) return;
     again.motion = *std::move(motion);
-    // A case with a large weight is drawn several times, and measured each time.
+    // A case with a large weight is drawn several times in a row, and measured each time.
     for (std::size_t k = first; k < drawn.size() && drawn[k] == drawn[first]; ++k)
       seen[k] = features::values_of(observe(changed, again, k, workspace).seen.features);
   });
