@@ -201,11 +201,34 @@ int run(int argc, char** argv) {
   return code;
 }
 
+/// Whether this process was started alone: mpirun and srun set one of these variables.
+bool started_alone() {
+  return std::getenv("PMIX_RANK") == nullptr && std::getenv("PMI_RANK") == nullptr &&
+         std::getenv("OMPI_COMM_WORLD_RANK") == nullptr;
+}
+
+/// Exit code if the arguments ask for the help or the version; both are answered without MPI, because a
+/// session of Open MPI fails where another one begins at the same moment, or where it cannot write to TMPDIR.
+std::optional<int> answer_without_mpi(int argc, char** argv) {
+  bool is_answered = false;
+  hold_summary(true);
+  const int code = run_program(mpi_program_name, [&] {
+    is_answered = answered(mpi_program_name, parse_rubsweep_arguments(argc, argv).action, help);
+    return done;
+  });
+  hold_summary(false);
+  if (!is_answered && code == done) return std::nullopt;
+  return run_program(mpi_program_name, [&] { return code; });
+}
+
 }  // namespace
 }  // namespace rubsweep::apps
 
 int main(int argc, char** argv) {
   rubsweep::apps::open_standard_descriptors();
+  if (rubsweep::apps::started_alone()) {
+    if (const auto code = rubsweep::apps::answer_without_mpi(argc, argv)) return *code;
+  }
   const rubsweep::apps::mpi::Session session(argc, argv);
   return rubsweep::apps::run(argc, argv);
 }

@@ -153,6 +153,14 @@ for question in --motion-kinds --keys --schema; do
 done
 expect_mpi 0 2 --help
 [[ $(grep -c '^mpirun -n N rubsweep-mpi' stdout) == 1 ]] || fail 'not helped once'
+# A process alone answers without a session of MPI, which needs TMPDIR.
+TMPDIR=$work/stdout "$program" --help >alone
+expect_same alone stdout
+TMPDIR=$work/stdout "$program" --version >alone
+expect_contains alone 'rubsweep-mpi'
+code=0
+TMPDIR=$work/stdout "$program" --no-such-option 2>stderr || code=$?
+[[ $code == 1 ]] || fail "an unknown option alone: exit code $code"
 # A full disk ends all ranks; where mounting is allowed.
 mkdir disk
 if mount -t tmpfs -o size=36k none disk 2>/dev/null; then
