@@ -1,5 +1,5 @@
-"""gallery_test.py TOP PROGRAMS...: runs every command of docs/gallery.md in a directory of its own, with the directories of
-the programs in the PATH.
+"""gallery_test.py [--diagnoses] TOP PROGRAMS...: runs every command of docs/gallery.md in a directory of its own, with the
+directories of the programs in the PATH; the sections of rubdiagnose, which take as long as all others, with --diagnoses alone.
 
 Each must succeed, and behind the commands of a section its picture must be there: the file of the name that the section
 shows, or a page of that name. Each file of configs/gallery/ must be used, and say purpose, run time and title. A section
@@ -47,7 +47,9 @@ def unlike_others(directory, text):
                 yield f"configs/gallery/{name}: expected comments, '# Run time: ...', then a title"
 
 
-def main(top, *directories):
+def main(*arguments):
+    diagnoses = arguments[:1] == ("--diagnoses",)
+    top, *directories = arguments[diagnoses:]
     with open(os.path.join(top, "docs", "gallery.md"), encoding="utf-8") as file:
         text = file.read()
     # Everybody is root in a container, and a machine may have fewer processors than ranks.
@@ -62,6 +64,8 @@ def main(top, *directories):
         for name in ("configs", "scripts"):
             os.symlink(os.path.join(top, name), os.path.join(work, name))
         for heading, commands, pictures in sections(text):
+            if ("rubdiagnose" in commands) != diagnoses:
+                continue
             if "rubsweep-mpi" in commands and not shutil.which("rubsweep-mpi", path=environment["PATH"]):
                 print(f"left out, as there is no rubsweep-mpi: {heading}")
                 continue
