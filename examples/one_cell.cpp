@@ -48,23 +48,18 @@ model::Machine machine() {
 // of revolutions after which it repeats.
 std::string in_words(const response::motion::Motion& motion) {
   switch (motion.motion_class) {
-    case response::motion::MotionClass::non_contact:
-      return "it does not touch the stop any more";
-    case response::motion::MotionClass::synchronous:
-      return "it rubs in every revolution in the same way";
-    case response::motion::MotionClass::resting_contact:
-      return "it rests on the stop and does not move";
+    case response::motion::MotionClass::non_contact: return "it does not touch the stop any more";
+    case response::motion::MotionClass::synchronous: return "it rubs in every revolution in the same way";
+    case response::motion::MotionClass::resting_contact: return "it rests on the stop and does not move";
     case response::motion::MotionClass::subharmonic:
       return "it rubs in a rhythm of " + std::to_string(motion.order.value()) + " revolutions";
     case response::motion::MotionClass::quasi_periodic:
       return "it rubs with two frequencies that have no common period";
-    case response::motion::MotionClass::chaotic:
-      return "it rubs chaotically";
+    case response::motion::MotionClass::chaotic: return "it rubs chaotically";
     case response::motion::MotionClass::unsettled:
       return "it rubs, and the run was too short to tell in which way";
     case response::motion::MotionClass::initial_contact:
-    case response::motion::MotionClass::failed:
-      break;
+    case response::motion::MotionClass::failed: break;
   }
   return "nothing can be said";
 }
@@ -74,12 +69,10 @@ std::string_view in_words(response::motion::Proof proof) {
   switch (proof) {
     case response::motion::Proof::rest:
       return "a bound on the free vibration: it can never reach the stop again";
-    case response::motion::Proof::floquet:
-      return "a periodic orbit that is proven to attract the motion";
+    case response::motion::Proof::floquet: return "a periodic orbit that is proven to attract the motion";
     case response::motion::Proof::floquet_observed:
       return "a stable periodic orbit that the motion was seen to approach";
-    case response::motion::Proof::observed:
-      return "what the end of the run shows";
+    case response::motion::Proof::observed: return "what the end of the run shows";
   }
   return "";
 }

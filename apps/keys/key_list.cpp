@@ -71,9 +71,7 @@ void add_keys(std::vector<Merged>& rows, const Form& form, const std::string& pa
       for (const Form& one : form.forms) add_keys(rows, one, path);
       break;
     case Kind::list:
-    case Kind::numbered:
-      add_keys(rows, form.forms[0], path + ".N");
-      break;
+    case Kind::numbered: add_keys(rows, form.forms[0], path + ".N"); break;
     case Kind::map:
       for (const Key& key : form.keys) {
         const std::string at = path.empty() ? key.name : path + "." + key.name;
@@ -86,8 +84,7 @@ void add_keys(std::vector<Merged>& rows, const Form& form, const std::string& pa
     case Kind::number:
     case Kind::integer:
     case Kind::word:
-    case Kind::text:
-      break;
+    case Kind::text: break;
   }
 }
 

@@ -116,8 +116,7 @@ class Writer {
         schema = {{"type", "integer"}, {"minimum", form.low}, {"maximum", form.high}};
         if (form.even) schema["multipleOf"] = 2;
         return schema;
-      case Kind::word:
-        return {{"enum", form.words}};
+      case Kind::word: return {{"enum", form.words}};
       case Kind::text:
         return {
             {"type", {"string", "number", "boolean"}}, {"minLength", form.least}, {"maxLength", form.most}};
@@ -131,10 +130,8 @@ class Writer {
                 {"properties", {{"base", base()}}},
                 {"patternProperties", {{numbers_below(form.most), value(form.forms[0], path + ".N", part)}}},
                 {"additionalProperties", false}};
-      case Kind::any_of:
-        return any_of(form, path, part);
-      case Kind::map:
-        break;
+      case Kind::any_of: return any_of(form, path, part);
+      case Kind::map: break;
     }
     define(form, path, part);
     return reference(path, part);

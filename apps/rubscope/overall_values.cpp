@@ -126,13 +126,10 @@ Band velocity_band(double speed_hz) {
 
 ZoneLimits casing_limits(MachineGroup group) {
   switch (group) {
-    case MachineGroup::large_flexible:
-      return {3.5e-3, 7.1e-3, 11e-3};
-    case MachineGroup::medium_rigid:
-      return {1.4e-3, 2.8e-3, 4.5e-3};
+    case MachineGroup::large_flexible: return {3.5e-3, 7.1e-3, 11e-3};
+    case MachineGroup::medium_rigid: return {1.4e-3, 2.8e-3, 4.5e-3};
     case MachineGroup::large_rigid:
-    case MachineGroup::medium_flexible:
-      break;
+    case MachineGroup::medium_flexible: break;
   }
   return {2.3e-3, 4.5e-3, 7.1e-3};
 }

@@ -14,16 +14,11 @@ namespace {
 std::string_view word_of(CellVerdict verdict) {
   using enum CellVerdict;
   switch (verdict) {
-    case equal:
-      return "equal";
-    case sensitive:
-      return "sensitive";
-    case numbers_differ:
-      return "numbers_differ";
-    case classes_differ:
-      return "classes_differ";
-    case only_in_one:
-      return "only_in_one";
+    case equal: return "equal";
+    case sensitive: return "sensitive";
+    case numbers_differ: return "numbers_differ";
+    case classes_differ: return "classes_differ";
+    case only_in_one: return "only_in_one";
   }
   return "";
 }

@@ -25,16 +25,11 @@ int act(const StudyArguments& arguments, const StudyActions& actions) {
     case Action::check:
       if (!arguments.quiet) print("{}: ok, {}\n", arguments.config.string(), actions.size());
       return done;
-    case Action::explain:
-      print("{}", actions.explanation());
-      return done;
-    case Action::print_config:
-      print("{}", actions.configuration());
-      return done;
+    case Action::explain: print("{}", actions.explanation()); return done;
+    case Action::print_config: print("{}", actions.configuration()); return done;
     case Action::run:
     case Action::help:
-    case Action::version:
-      break;
+    case Action::version: break;
   }
   return actions.run();
 }

@@ -220,12 +220,9 @@ int threads_of(const po::variables_map& given) {
 
 std::string progress_word(batch::ProgressMode mode) {
   switch (mode) {
-    case batch::ProgressMode::automatic:
-      return "auto";
-    case batch::ProgressMode::always:
-      return "always";
-    case batch::ProgressMode::never:
-      return "never";
+    case batch::ProgressMode::automatic: return "auto";
+    case batch::ProgressMode::always: return "always";
+    case batch::ProgressMode::never: return "never";
   }
   throw std::logic_error("progress without a word");
 }

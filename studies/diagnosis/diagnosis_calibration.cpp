@@ -61,26 +61,16 @@ recording::Recording measured(const dataset::LabelledRecording& labelled) {
 
 double truth_of(const dataset::LabelledRecording& labelled, Quantity quantity) {
   switch (quantity) {
-    case Quantity::clearance:
-      return labelled.clearance_m;
-    case Quantity::stop_angle:
-      return labelled.stop_angle_deg;
-    case Quantity::position:
-      return 0;  // a Jeffcott rotor has no positions along the shaft
-    case Quantity::contact_fraction:
-      return labelled.motion.contact.contact_fraction;
-    case Quantity::peak_force:
-      return labelled.motion.contact.peak_contact_force_n;
-    case Quantity::eccentricity:
-      return labelled.motion.eccentricity_m;
-    case Quantity::whirl_ratio:
-      return value_of(labelled.values, Unknown::whirl_ratio);
-    case Quantity::stiffness:
-      return value_of(labelled.values, Unknown::stiffness);
-    case Quantity::restitution:
-      return value_of(labelled.values, Unknown::restitution);
-    case Quantity::friction:
-      return value_of(labelled.values, Unknown::friction);
+    case Quantity::clearance: return labelled.clearance_m;
+    case Quantity::stop_angle: return labelled.stop_angle_deg;
+    case Quantity::position: return 0;  // a Jeffcott rotor has no positions along the shaft
+    case Quantity::contact_fraction: return labelled.motion.contact.contact_fraction;
+    case Quantity::peak_force: return labelled.motion.contact.peak_contact_force_n;
+    case Quantity::eccentricity: return labelled.motion.eccentricity_m;
+    case Quantity::whirl_ratio: return value_of(labelled.values, Unknown::whirl_ratio);
+    case Quantity::stiffness: return value_of(labelled.values, Unknown::stiffness);
+    case Quantity::restitution: return value_of(labelled.values, Unknown::restitution);
+    case Quantity::friction: return value_of(labelled.values, Unknown::friction);
   }
   return 0;
 }

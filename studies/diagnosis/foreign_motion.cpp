@@ -131,18 +131,12 @@ std::vector<Complex> loose_support(double speed_ratio, double damping_ratio, int
 
 std::string_view to_string(Foreign cause) {
   switch (cause) {
-    case Foreign::misaligned_coupling:
-      return "misaligned_coupling";
-    case Foreign::bearing_fault:
-      return "bearing_fault";
-    case Foreign::loose_support:
-      return "loose_support";
-    case Foreign::oil_whirl:
-      return "oil_whirl";
-    case Foreign::electrical_run_out:
-      return "electrical_run_out";
-    case Foreign::clipped_sensor:
-      return "clipped_sensor";
+    case Foreign::misaligned_coupling: return "misaligned_coupling";
+    case Foreign::bearing_fault: return "bearing_fault";
+    case Foreign::loose_support: return "loose_support";
+    case Foreign::oil_whirl: return "oil_whirl";
+    case Foreign::electrical_run_out: return "electrical_run_out";
+    case Foreign::clipped_sensor: return "clipped_sensor";
   }
   throw std::invalid_argument("foreign cause: no such enumerator");
 }
@@ -153,22 +147,12 @@ std::vector<Complex> foreign_motion(Foreign cause, double speed_ratio, double da
     return loose_support(speed_ratio, damping_ratio, turns, samples_of_a_turn, random);
   Lines lines = unbalanced(turns, samples_of_a_turn, random);
   switch (cause) {
-    case Foreign::misaligned_coupling:
-      add_coupling(lines, random);
-      break;
-    case Foreign::bearing_fault:
-      add_bearing(lines, random);
-      break;
-    case Foreign::oil_whirl:
-      add_oil_whirl(lines, random);
-      break;
-    case Foreign::electrical_run_out:
-      add_run_out(lines, random);
-      break;
-    case Foreign::clipped_sensor:
-      break;  // run-out affects only the readings
-    case Foreign::loose_support:
-      break;
+    case Foreign::misaligned_coupling: add_coupling(lines, random); break;
+    case Foreign::bearing_fault: add_bearing(lines, random); break;
+    case Foreign::oil_whirl: add_oil_whirl(lines, random); break;
+    case Foreign::electrical_run_out: add_run_out(lines, random); break;
+    case Foreign::clipped_sensor: break;  // run-out affects only the readings
+    case Foreign::loose_support: break;
   }
   return lines.samples();
 }

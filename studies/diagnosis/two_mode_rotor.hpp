@@ -105,8 +105,7 @@ struct Machine {
         const double along = std::real(z * std::conj(n)) + 0.1 * setting.clearance_m;
         return along > 0 ? 0.5 * setting.strength * k * along * n : Complex(0);
       }
-      default:
-        return 0;
+      default: return 0;
     }
   }
 

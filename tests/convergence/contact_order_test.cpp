@@ -60,13 +60,10 @@ Order order_of(run::Stepper stepper) {
   switch (stepper) {
     case run::Stepper::automatic:
     case run::Stepper::dopri5:
-    case run::Stepper::cash_karp54:
-      return {.at_least = 4.7};
+    case run::Stepper::cash_karp54: return {.at_least = 4.7};
     case run::Stepper::rkf78:
-    case run::Stepper::bulirsch_stoer:
-      return {.at_least = 7.5};
-    case run::Stepper::rosenbrock4:
-      return {.at_least = 3.6, .loose = 1e-6, .tight = 1e-9};
+    case run::Stepper::bulirsch_stoer: return {.at_least = 7.5};
+    case run::Stepper::rosenbrock4: return {.at_least = 3.6, .loose = 1e-6, .tight = 1e-9};
   }
   return {};
 }

@@ -97,10 +97,8 @@ std::string contact_stiffness(ByteSource& b) {
 
 std::string friction(ByteSource& b) {
   switch (b.below(5)) {
-    case 0:
-      return "none";
-    case 1:
-      return fmt::format("{{coefficient: {}}}", b.number(0.1));
+    case 0: return "none";
+    case 1: return fmt::format("{{coefficient: {}}}", b.number(0.1));
     case 2:
       return fmt::format("{{static: {}, kinetic: {}, peak_speed_m_per_s: {}, settle_speed_m_per_s: {}}}",
                          b.number(0.2), b.number(0.1), b.number(0.01), b.number(0.1));
@@ -108,8 +106,7 @@ std::string friction(ByteSource& b) {
       // Most curves with six random numbers can feed energy in, which is refused.
       return fmt::format("{{stribeck: [{}, {}, {}, {}, {}, {}]}}", b.number(0), b.number(0), b.number(0),
                          b.number(0.1), b.number(100), b.number(0));
-    default:
-      return fmt::format("{{stribeck: [0, 0, 0, {}, {}, 0]}}", b.number(0.1), b.number(100));
+    default: return fmt::format("{{stribeck: [0, 0, 0, {}, {}, 0]}}", b.number(0.1), b.number(100));
   }
 }
 
@@ -123,17 +120,10 @@ std::string stop(ByteSource& b, bool on_shaft, int index) {
   if (on_shaft) text += fmt::format("    position_m: {}\n", b.number(0.29));
   text += fmt::format("    clearance_m: {}\n", b.number(1e-3)) + contact_stiffness(b);
   switch (b.below(4)) {
-    case 0:
-      text += fmt::format("    restitution: {}\n", b.number(0.7));
-      break;
-    case 1:
-      text += fmt::format("    restitution_delivered: {}\n", b.number(0.7));
-      break;
-    case 2:
-      text += fmt::format("    restitution_by_rotor_mass: {}\n", b.number(0.7));
-      break;
-    default:
-      text += fmt::format("    damping_ns_per_m: {}\n", b.number(50));
+    case 0: text += fmt::format("    restitution: {}\n", b.number(0.7)); break;
+    case 1: text += fmt::format("    restitution_delivered: {}\n", b.number(0.7)); break;
+    case 2: text += fmt::format("    restitution_by_rotor_mass: {}\n", b.number(0.7)); break;
+    default: text += fmt::format("    damping_ns_per_m: {}\n", b.number(50));
   }
   text += fmt::format("    contact_radius_m: {}\n    friction: {}\n", b.number(0.0375), friction(b));
   if (b.once_in(6)) text += fmt::format("    contact_mass_kg: {}\n", b.number(0.5));

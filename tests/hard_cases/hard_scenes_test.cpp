@@ -35,12 +35,9 @@ SolverOptions with(Stepper stepper, double tolerance) {
 /// Tight tolerance, but loose enough that a method of low order does not need a million steps.
 double tolerance_of(Stepper stepper) {
   switch (stepper) {
-    case Stepper::cash_karp54:
-      return 1e-8;
-    case Stepper::rosenbrock4:
-      return 1e-6;
-    default:
-      return 1e-10;
+    case Stepper::cash_karp54: return 1e-8;
+    case Stepper::rosenbrock4: return 1e-6;
+    default: return 1e-10;
   }
 }
 

@@ -78,14 +78,10 @@ inline scene::Scene rotor_and_casing(const std::vector<scene::Contact>& contacts
 
 inline double damping_of(ImpactDamping damping, double e) {
   switch (damping) {
-    case ImpactDamping::none:
-      return 0;
-    case ImpactDamping::hunt_crossley:
-      return 1.5 * (1 - e);
-    case ImpactDamping::lankarani_nikravesh:
-      return 0.75 * (1 - e * e);
-    case ImpactDamping::flores:
-      return 1.6 * (1 - e) / e;
+    case ImpactDamping::none: return 0;
+    case ImpactDamping::hunt_crossley: return 1.5 * (1 - e);
+    case ImpactDamping::lankarani_nikravesh: return 0.75 * (1 - e * e);
+    case ImpactDamping::flores: return 1.6 * (1 - e) / e;
     case ImpactDamping::delivered: {
       double low = 0, high = 1 / e;
       for (int k = 0; k < 100; ++k) {

@@ -201,12 +201,8 @@ class StickSlipReference {
       const Real spring_n = w.stiffness * l.depth, damper_n = w.damping * l.closing;
       const bool damped = w.damping > 0;
       switch (contacts_[i].zone) {
-        case Zone::open:
-          all.push_back({i, damped ? Zone::clamped : Zone::sprung, 0, 0, l.depth});
-          continue;
-        case Zone::clamped:
-          all.push_back({i, Zone::sprung, 0, 0, spring_n - damper_n});
-          break;
+        case Zone::open: all.push_back({i, damped ? Zone::clamped : Zone::sprung, 0, 0, l.depth}); continue;
+        case Zone::clamped: all.push_back({i, Zone::sprung, 0, 0, spring_n - damper_n}); break;
         case Zone::sprung:
           if (damped) {
             all.push_back({i, Zone::clamped, 0, 0, damper_n - spring_n});

@@ -158,20 +158,11 @@ std::string mutated(std::string text, std::mt19937_64& random) {
     const char byte =
         random() % 4 == 0 ? static_cast<char>(random() % 256) : likely[random() % likely.size()];
     switch (random() % 5) {
-      case 0:
-        text[at] = byte;
-        break;
-      case 1:
-        text.insert(at, 1, byte);
-        break;
-      case 2:
-        text.erase(at, 1);
-        break;
-      case 3:
-        text.insert(random() % text.size(), text.substr(at, length));
-        break;
-      default:
-        text.erase(at, length);
+      case 0: text[at] = byte; break;
+      case 1: text.insert(at, 1, byte); break;
+      case 2: text.erase(at, 1); break;
+      case 3: text.insert(random() % text.size(), text.substr(at, length)); break;
+      default: text.erase(at, length);
     }
   }
   return text;

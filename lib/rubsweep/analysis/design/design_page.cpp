@@ -147,15 +147,9 @@ std::string answer_lines(const DesignCheck& check) {
   const auto unknown = std::ranges::count_if(terms, [](const Term& term) { return !term.not_told.empty(); });
   std::string text = "answer    ";
   switch (answer_of(check)) {
-    case Answer::pass:
-      text += "pass\n";
-      break;
-    case Answer::not_met:
-      text += fmt::format("NOT MET: {} of {} terms\n", broken, terms.size());
-      break;
-    case Answer::not_told:
-      text += fmt::format("not told: nothing is known of {} terms\n", unknown);
-      break;
+    case Answer::pass: text += "pass\n"; break;
+    case Answer::not_met: text += fmt::format("NOT MET: {} of {} terms\n", broken, terms.size()); break;
+    case Answer::not_told: text += fmt::format("not told: nothing is known of {} terms\n", unknown); break;
   }
   std::erase_if(terms, [](const Term& term) { return !term.margin || !term.met; });
   std::ranges::stable_sort(terms, {}, [](const Term& term) { return *term.margin; });

@@ -80,15 +80,12 @@ struct GuardForms {
 /// stated only here.
 constexpr GuardForms guard_forms(Mode mode, bool damped) {
   switch (mode) {
-    case Mode::open:
-      return {{{{1, 0, damped ? Mode::clamped : Mode::sprung}, {}}}, 1};
-    case Mode::clamped:
-      return {{{{1, -1, Mode::sprung}, {}}}, 1};
+    case Mode::open: return {{{{1, 0, damped ? Mode::clamped : Mode::sprung}, {}}}, 1};
+    case Mode::clamped: return {{{{1, -1, Mode::sprung}, {}}}, 1};
     case Mode::sprung:
       if (!damped) return {{{{-1, 0, Mode::open}, {}}}, 1};
       return {{{{-1, 1, Mode::clamped}, {-1, -1, Mode::released}}}, 2};
-    case Mode::released:
-      return {{{{-1, 0, Mode::open}, {1, 1, Mode::sprung}}}, 2};
+    case Mode::released: return {{{{-1, 0, Mode::open}, {1, 1, Mode::sprung}}}, 2};
   }
   return {};
 }

@@ -54,16 +54,11 @@ double damping_factor(model::ImpactDamping damping, double restitution) {
   const double e = restitution;
   if (e == 1) return 0;
   switch (damping) {
-    case model::ImpactDamping::none:
-      return 0;
-    case model::ImpactDamping::hunt_crossley:
-      return 1.5 * (1 - e);
-    case model::ImpactDamping::lankarani_nikravesh:
-      return 0.75 * (1 - e * e);
-    case model::ImpactDamping::flores:
-      return 1.6 * (1 - e) / e;
-    case model::ImpactDamping::delivered:
-      return delivering_factor(e);
+    case model::ImpactDamping::none: return 0;
+    case model::ImpactDamping::hunt_crossley: return 1.5 * (1 - e);
+    case model::ImpactDamping::lankarani_nikravesh: return 0.75 * (1 - e * e);
+    case model::ImpactDamping::flores: return 1.6 * (1 - e) / e;
+    case model::ImpactDamping::delivered: return delivering_factor(e);
   }
   return 0;
 }

@@ -30,12 +30,9 @@ double shape_factor(const model::HertzLine& contact, double force_n) {
 double relative_radius_m(const model::HertzLine& contact) {
   const double rotor = 1 / contact.rotor.radius_m;
   switch (contact.casing_shape) {
-    case model::HertzShape::flat:
-      return contact.rotor.radius_m;
-    case model::HertzShape::cylinder:
-      return 1 / (rotor + 1 / contact.casing.radius_m);
-    case model::HertzShape::hole:
-      return 1 / (rotor - 1 / contact.casing.radius_m);
+    case model::HertzShape::flat: return contact.rotor.radius_m;
+    case model::HertzShape::cylinder: return 1 / (rotor + 1 / contact.casing.radius_m);
+    case model::HertzShape::hole: return 1 / (rotor - 1 / contact.casing.radius_m);
   }
   return contact.rotor.radius_m;
 }

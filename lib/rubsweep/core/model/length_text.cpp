@@ -15,7 +15,8 @@ struct UnitRow {
 };
 
 constexpr std::array unit_rows{UnitRow{LengthUnit::m, "m", 1}, UnitRow{LengthUnit::mm, "mm", 1e3},
-                               UnitRow{LengthUnit::um, "um", 1e6}, UnitRow{LengthUnit::mil, "mil", 1 / 25.4e-6}};
+                               UnitRow{LengthUnit::um, "um", 1e6},
+                               UnitRow{LengthUnit::mil, "mil", 1 / 25.4e-6}};
 
 }  // namespace
 

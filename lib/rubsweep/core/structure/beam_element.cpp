@@ -212,8 +212,7 @@ double shear_coefficient(const model::ShaftLayer& layer, double at) {
     case model::ShearCoefficient::hutchinson:
       return 6 * (1 + nu) * (1 + nu) * solid /
              ((7 + 12 * nu + 4 * nu * nu) * solid + 4 * (5 + 6 * nu + 2 * nu * nu) * square);
-    case model::ShearCoefficient::none:
-      break;
+    case model::ShearCoefficient::none: break;
   }
   return std::numeric_limits<double>::infinity();
 }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/model/element_name.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
 
 namespace rubsweep::structure {
 namespace {

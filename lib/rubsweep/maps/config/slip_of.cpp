@@ -160,11 +160,8 @@ std::optional<double> scale_of(const SlipRule& rule, double value, const model::
   };
   std::optional<double> scale;
   switch (rule.scale) {
-    case Scale::one:
-      break;
-    case Scale::frequency_hz:
-      scale = frequency_hz(value > rule.high * slow_hz);
-      break;
+    case Scale::one: break;
+    case Scale::frequency_hz: scale = frequency_hz(value > rule.high * slow_hz); break;
     case Scale::frequency_rpm:
       scale = frequency_hz(value > rule.high * slow_hz * model::rpm_per_hz);
       if (scale) scale = *scale * model::rpm_per_hz;
@@ -190,12 +187,8 @@ std::optional<double> scale_of(const SlipRule& rule, double value, const model::
       if (at != nullptr)
         scale = rotor_stiffness_n_per_m(*machine) / std::pow(at->clearance_m / 20, at->law.exponent - 1);
       break;
-    case Scale::clearance_blow_n:
-      scale = clearance_blow_n(*machine, at);
-      break;
-    case Scale::weight_per_mm:
-      scale = model::rotor_mass_kg(*machine) * 9.81 / 1e-3;
-      break;
+    case Scale::clearance_blow_n: scale = clearance_blow_n(*machine, at); break;
+    case Scale::weight_per_mm: scale = model::rotor_mass_kg(*machine) * 9.81 / 1e-3; break;
   }
   return scale && *scale > 0 && std::isfinite(*scale) ? scale : std::nullopt;
 }

@@ -66,26 +66,16 @@ inline std::vector<double> take_numbers(Bytes& bytes, Stored type, std::size_t c
     return values;
   };
   switch (type) {
-    case Stored::int8:
-      return all(std::int8_t{});
-    case Stored::uint8:
-      return all(std::uint8_t{});
-    case Stored::int16:
-      return all(std::int16_t{});
-    case Stored::uint16:
-      return all(std::uint16_t{});
-    case Stored::int32:
-      return all(std::int32_t{});
-    case Stored::uint32:
-      return all(std::uint32_t{});
-    case Stored::float32:
-      return all(float{});
-    case Stored::float64:
-      return all(double{});
-    case Stored::int64:
-      return all(std::int64_t{});
-    case Stored::uint64:
-      return all(std::uint64_t{});
+    case Stored::int8: return all(std::int8_t{});
+    case Stored::uint8: return all(std::uint8_t{});
+    case Stored::int16: return all(std::int16_t{});
+    case Stored::uint16: return all(std::uint16_t{});
+    case Stored::int32: return all(std::int32_t{});
+    case Stored::uint32: return all(std::uint32_t{});
+    case Stored::float32: return all(float{});
+    case Stored::float64: return all(double{});
+    case Stored::int64: return all(std::int64_t{});
+    case Stored::uint64: return all(std::uint64_t{});
   }
   throw FileError{"is damaged: numbers of an unknown type"};
 }

@@ -92,10 +92,8 @@ std::optional<std::string> disordered_axis(const Grid& grid) {
 
 scene::Unbalance unbalance_of(const Grid& grid, double value) {
   switch (grid.measure) {
-    case UnbalanceMeasure::whirl_ratio:
-      return scene::WhirlRatio{value};
-    case UnbalanceMeasure::eccentricity_m:
-      return scene::Eccentricity{value};
+    case UnbalanceMeasure::whirl_ratio: return scene::WhirlRatio{value};
+    case UnbalanceMeasure::eccentricity_m: return scene::Eccentricity{value};
   }
   throw SolverError("measure of the unbalance without a meaning");
 }

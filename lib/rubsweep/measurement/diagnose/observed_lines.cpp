@@ -74,8 +74,7 @@ void add_free_vibration(const Measuring& measuring, double size, RandomStream& r
     const Complex rate(-decay, 2 * pi * side * seen.turns);  // per recording
     const Complex rise = start * (std::exp(rate) - 1.0);
     // A line is the mean of start exp((rate - 2 pi i k) s) over s from 0 to 1.
-    for (int k = -seen.last(); k <= seen.last(); ++k)
-      seen.at(k) += rise / (rate - Complex(0, 2 * pi * k));
+    for (int k = -seen.last(); k <= seen.last(); ++k) seen.at(k) += rise / (rate - Complex(0, 2 * pi * k));
   }
 }
 

@@ -122,20 +122,14 @@ std::vector<MeetingTest> tests_of_a_graze(bool even) {
 
 std::vector<MeetingTest> tests_of(const ExtendedSystem& system, const Critical& reference) {
   switch (system.kind) {
-    case continuation::EventKind::fold:
-      return tests_of_a_fold(reference);
-    case continuation::EventKind::branch_point:
-      return tests_of_one_multiplier(1, reference);
-    case continuation::EventKind::period_doubling:
-      return tests_of_one_multiplier(-1, reference);
-    case continuation::EventKind::neimark_sacker:
-      return tests_of_a_torus();
-    case continuation::EventKind::graze:
-      return tests_of_a_graze(system.even);
+    case continuation::EventKind::fold: return tests_of_a_fold(reference);
+    case continuation::EventKind::branch_point: return tests_of_one_multiplier(1, reference);
+    case continuation::EventKind::period_doubling: return tests_of_one_multiplier(-1, reference);
+    case continuation::EventKind::neimark_sacker: return tests_of_a_torus();
+    case continuation::EventKind::graze: return tests_of_a_graze(system.even);
     case continuation::EventKind::period_halving:
     case continuation::EventKind::sequence:
-    case continuation::EventKind::stability:
-      break;  // no curve follows these
+    case continuation::EventKind::stability: break;  // no curve follows these
   }
   return {};
 }
@@ -143,18 +137,14 @@ std::vector<MeetingTest> tests_of(const ExtendedSystem& system, const Critical& 
 /// Kind of the meeting of a graze with a curve of `kind`.
 MeetingKind graze_on(continuation::EventKind kind) {
   switch (kind) {
-    case continuation::EventKind::graze:
-      return MeetingKind::double_graze;
-    case continuation::EventKind::period_doubling:
-      return MeetingKind::graze_flip;
-    case continuation::EventKind::neimark_sacker:
-      return MeetingKind::graze_torus;
+    case continuation::EventKind::graze: return MeetingKind::double_graze;
+    case continuation::EventKind::period_doubling: return MeetingKind::graze_flip;
+    case continuation::EventKind::neimark_sacker: return MeetingKind::graze_torus;
     case continuation::EventKind::fold:
     case continuation::EventKind::branch_point:
     case continuation::EventKind::period_halving:
     case continuation::EventKind::sequence:
-    case continuation::EventKind::stability:
-      break;
+    case continuation::EventKind::stability: break;
   }
   return MeetingKind::graze_fold;
 }

@@ -34,9 +34,7 @@ MapEdge quiet_seen_from(std::size_t cell, std::size_t neighbour, std::span<const
   MapEdge edge{cell, neighbour, Attribution::unresolved, {}};
   if (quiet[cell] != Quiet::stable) return edge;
   switch (quiet[neighbour]) {
-    case Quiet::stable:
-      edge.attribution = Attribution::basin;
-      break;
+    case Quiet::stable: edge.attribution = Attribution::basin; break;
     case Quiet::unstable:
       edge.attribution = Attribution::ceases;
       edge.kind = to_string(continuation::EventKind::stability);

@@ -138,14 +138,11 @@ std::optional<SequenceChange> sequence_change(Switches richer, Switches poorer, 
 
 std::string describe(const SequenceChange& change) {
   switch (change.kind) {
-    case SequenceChange::Kind::hit:
-      return fmt::format("hit at stop {}", change.contact);
+    case SequenceChange::Kind::hit: return fmt::format("hit at stop {}", change.contact);
     case SequenceChange::Kind::interruption:
       return fmt::format("{} interrupted at stop {}", contact::to_string(change.from), change.contact);
-    case SequenceChange::Kind::parting:
-      return fmt::format("flight within a hit at stop {}", change.contact);
-    case SequenceChange::Kind::even:
-      return fmt::format("contact all along at stop {}", change.contact);
+    case SequenceChange::Kind::parting: return fmt::format("flight within a hit at stop {}", change.contact);
+    case SequenceChange::Kind::even: return fmt::format("contact all along at stop {}", change.contact);
   }
   return "";
 }

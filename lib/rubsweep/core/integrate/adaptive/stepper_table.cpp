@@ -55,10 +55,8 @@ constexpr std::string_view dopri5 = "dopri5 (Dormand-Prince 5(4), dense output o
 /// Table of the steppers. It is a switch so that a stepper without a row does not compile.
 constexpr StepperRow make_row(Stepper stepper) {
   switch (stepper) {
-    case Stepper::automatic:
-      return {stepper, to_string(stepper), dopri5, make<Dopri5OrRosenbrock4>};
-    case Stepper::dopri5:
-      return {stepper, to_string(stepper), dopri5, make<Dopri5>};
+    case Stepper::automatic: return {stepper, to_string(stepper), dopri5, make<Dopri5OrRosenbrock4>};
+    case Stepper::dopri5: return {stepper, to_string(stepper), dopri5, make<Dopri5>};
     case Stepper::cash_karp54:
       return {stepper, to_string(stepper), "cash_karp54 (order 5(4), states inside a step by re-stepping)",
               make<ReStepping<odeint::runge_kutta_cash_karp54<State>>>};

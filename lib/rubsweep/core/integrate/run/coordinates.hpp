@@ -11,14 +11,10 @@ namespace rubsweep::integrate::run {
 template <class Start>
 decltype(auto) with_coordinates(Eigen::Index coordinates, const Start& start) {
   switch (coordinates) {
-    case 2:
-      return start(std::integral_constant<int, 2>{});
-    case 4:
-      return start(std::integral_constant<int, 4>{});
-    case 6:
-      return start(std::integral_constant<int, 6>{});
-    default:
-      return start(std::integral_constant<int, Eigen::Dynamic>{});
+    case 2: return start(std::integral_constant<int, 2>{});
+    case 4: return start(std::integral_constant<int, 4>{});
+    case 6: return start(std::integral_constant<int, 6>{});
+    default: return start(std::integral_constant<int, Eigen::Dynamic>{});
   }
 }
 

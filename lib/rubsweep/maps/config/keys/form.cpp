@@ -28,20 +28,17 @@ std::string one_of_several(const Form& form, const Form& first) {
   switch (form.kind) {
     case Kind::integer:
       return fmt::format("an {}integer from {} to {}", form.even ? "even " : "", form.low, form.high);
-    case Kind::text:
-      return fmt::format("a text of at most {} bytes", form.most);
+    case Kind::text: return fmt::format("a text of at most {} bytes", form.most);
     case Kind::list:
       if (form.forms[0].kind == Kind::number && first.kind == Kind::number &&
           allowed_number(form.forms[0].range) == allowed_number(first.range))
         return fmt::format("a list of {} such numbers", counted(form.least, form.most));
       return "a " + allowed(form);
     case Kind::map:
-    case Kind::numbered:
-      return "a " + allowed(form);
+    case Kind::numbered: return "a " + allowed(form);
     case Kind::number:
     case Kind::word:
-    case Kind::any_of:
-      break;
+    case Kind::any_of: break;
   }
   return allowed(form);
 }
@@ -150,21 +147,16 @@ bool is_chosen(const Form& map, std::string_view name) {
 std::string allowed(const Form& form) {
   std::string text;
   switch (form.kind) {
-    case Kind::number:
-      return allowed_number(form.range);
+    case Kind::number: return allowed_number(form.range);
     case Kind::integer:
       return fmt::format("{}integer, {} to {}", form.even ? "even " : "", form.low, form.high);
-    case Kind::word:
-      return fmt::format("{}", fmt::join(form.words, " or "));
-    case Kind::text:
-      return fmt::format("text, at most {} bytes", form.most);
+    case Kind::word: return fmt::format("{}", fmt::join(form.words, " or "));
+    case Kind::text: return fmt::format("text, at most {} bytes", form.most);
     case Kind::list:
       return fmt::format("list of {}{}", counted(form.least, form.most),
                          form.forms[0].kind == Kind::map ? " maps" : ", each: " + allowed(form.forms[0]));
-    case Kind::map:
-      return "map";
-    case Kind::numbered:
-      return fmt::format("map from numbers, 0 to {}", form.most - 1);
+    case Kind::map: return "map";
+    case Kind::numbered: return fmt::format("map from numbers, 0 to {}", form.most - 1);
     case Kind::any_of:
       for (const Form& one : form.forms) {
         std::string more = one_of_several(one, form.forms[0]);

@@ -150,17 +150,12 @@ std::string_view ending_of(std::string_view words) {
   constexpr std::array<Ending, 4> of_turning{
       {{"", 1}, {"_hz", 1}, {"_rpm", 1.0 / 60}, {"_rad_per_s", 0.5 / std::numbers::pi}}};
   switch (unit->quantity) {
-    case table::Quantity::stiffness:
-      return among(of_stiffness);
-    case table::Quantity::damping:
-      return among(of_damping);
-    case table::Quantity::mass:
-      return among(of_mass);
+    case table::Quantity::stiffness: return among(of_stiffness);
+    case table::Quantity::damping: return among(of_damping);
+    case table::Quantity::mass: return among(of_mass);
     case table::Quantity::turning:
-    case table::Quantity::rate:
-      return among(of_turning);
-    default:
-      return {};
+    case table::Quantity::rate: return among(of_turning);
+    default: return {};
   }
 }
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "rubsweep/core/model/balance.hpp"
-#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/model/element_name.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"

@@ -27,8 +27,7 @@ std::optional<double> read_finite(const Value& value, std::string_view noun, std
     return refuse(value, fmt::format("{} is text in quotes, not {}", describe(node), noun), allowed);
   const ParsedNumber number = parse_number(node.text);
   switch (number.error) {
-    case NumberError::none:
-      return number.value;
+    case NumberError::none: return number.value;
     case NumberError::not_a_number:
       if (const auto meant = with_decimal_point(node.text))
         return refuse(value, fmt::format("{} has a decimal comma", describe(node)),
@@ -36,8 +35,7 @@ std::optional<double> read_finite(const Value& value, std::string_view noun, std
       return refuse(value, fmt::format("{} is not {}", describe(node), noun), allowed);
     case NumberError::not_finite:
       return refuse(value, fmt::format("{} is not finite", describe(node)), allowed);
-    case NumberError::does_not_fit:
-      break;
+    case NumberError::does_not_fit: break;
   }
   return refuse(value, fmt::format("{} does not fit a double", describe(node)), allowed);
 }
@@ -72,18 +70,15 @@ std::nullopt_t refuse(const Value& value, std::string_view wrong, std::string_vi
 
 std::string describe(const Node& node) {
   switch (node.kind) {
-    case Node::Kind::list:
-      return "is a list";
-    case Node::Kind::map:
-      return "is a map";
+    case Node::Kind::list: return "is a list";
+    case Node::Kind::map: return "is a map";
     case Node::Kind::scalar:
       if (const auto blank = find_foreign_blank(node.text)) {
         return fmt::format("'{}' with {}", shown(node.text),
                            describe_character(std::string_view(node.text).substr(*blank)));
       }
       return fmt::format("'{}'", shown(node.text));
-    case Node::Kind::null:
-      break;
+    case Node::Kind::null: break;
   }
   return "has no value";
 }

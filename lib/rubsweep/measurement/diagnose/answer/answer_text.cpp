@@ -194,16 +194,11 @@ std::string answer_json(const Answer& answer) {
 
 std::string_view words_for(Cause cause) {
   switch (cause) {
-    case Cause::no_rub:
-      return "the rotor touches nothing";
-    case Cause::one_side:
-      return "it rubs on one flat stop";
-    case Cause::two_sides:
-      return "it rubs on two flat stops that face each other";
-    case Cause::annular:
-      return "it rubs on a round stop about the rest position";
-    case Cause::annular_offset:
-      return "it rubs on a round stop whose centre is off the rest position";
+    case Cause::no_rub: return "the rotor touches nothing";
+    case Cause::one_side: return "it rubs on one flat stop";
+    case Cause::two_sides: return "it rubs on two flat stops that face each other";
+    case Cause::annular: return "it rubs on a round stop about the rest position";
+    case Cause::annular_offset: return "it rubs on a round stop whose centre is off the rest position";
   }
   throw SolverError("cause: no such enumerator");
 }

@@ -198,18 +198,12 @@ class Rules {
 
 std::string_view words_for(ForeignCause cause) {
   switch (cause) {
-    case ForeignCause::mains_hum:
-      return "hum of the mains in the instrument";
-    case ForeignCause::run_out:
-      return "run-out of the surface, the same at every speed";
-    case ForeignCause::misalignment:
-      return "2X, as of a misaligned coupling or unequal stiffness";
-    case ForeignCause::cracked_shaft:
-      return "2X at half the critical speed, as of a cracked shaft";
-    case ForeignCause::looseness:
-      return "multiples along one direction, as of a loose support";
-    case ForeignCause::oil_whirl:
-      return "a forward whirl at less than half the speed, as of an oil film";
+    case ForeignCause::mains_hum: return "hum of the mains in the instrument";
+    case ForeignCause::run_out: return "run-out of the surface, the same at every speed";
+    case ForeignCause::misalignment: return "2X, as of a misaligned coupling or unequal stiffness";
+    case ForeignCause::cracked_shaft: return "2X at half the critical speed, as of a cracked shaft";
+    case ForeignCause::looseness: return "multiples along one direction, as of a loose support";
+    case ForeignCause::oil_whirl: return "a forward whirl at less than half the speed, as of an oil film";
     case ForeignCause::self_excited:
       return "a forward whirl at the natural frequency, as of an oil film, a seal or internal damping";
     case ForeignCause::bearing_fault:

@@ -19,8 +19,7 @@ double value_in_case(const DiagnosisProblem& problem, const SimulatedCase& one, 
   const double scale = seen.size_m / observed.size_m(row);
   const Point values = values_at(problem.candidates[one.candidate], one.unit);
   switch (quantity) {
-    case Quantity::clearance:
-      return simulated_clearance_m(problem.candidates[one.candidate]) * scale;
+    case Quantity::clearance: return simulated_clearance_m(problem.candidates[one.candidate]) * scale;
     case Quantity::stop_angle:
       if (problem.measuring.directions) return wrapped_deg(value_of(values, Unknown::stop_angle));
       return problem.measuring.probes == 2
@@ -28,20 +27,13 @@ double value_in_case(const DiagnosisProblem& problem, const SimulatedCase& one, 
                  : wrapped_deg(-observed.probe_angle_rad(row) * 180 / pi);
     case Quantity::position:
       return problem.fixed.kit ? place_of_stop(*problem.fixed.kit, value_of(values, Unknown::position)) : 0;
-    case Quantity::contact_fraction:
-      return one.motion.contact.contact_fraction;
-    case Quantity::peak_force:
-      return one.motion.contact.peak_contact_force_n * scale;
-    case Quantity::eccentricity:
-      return one.motion.eccentricity_m * scale;
-    case Quantity::whirl_ratio:
-      return value_of(values, Unknown::whirl_ratio);
-    case Quantity::stiffness:
-      return value_of(values, Unknown::stiffness);
-    case Quantity::restitution:
-      return value_of(values, Unknown::restitution);
-    case Quantity::friction:
-      return value_of(values, Unknown::friction);
+    case Quantity::contact_fraction: return one.motion.contact.contact_fraction;
+    case Quantity::peak_force: return one.motion.contact.peak_contact_force_n * scale;
+    case Quantity::eccentricity: return one.motion.eccentricity_m * scale;
+    case Quantity::whirl_ratio: return value_of(values, Unknown::whirl_ratio);
+    case Quantity::stiffness: return value_of(values, Unknown::stiffness);
+    case Quantity::restitution: return value_of(values, Unknown::restitution);
+    case Quantity::friction: return value_of(values, Unknown::friction);
   }
   throw SolverError("quantity: no such enumerator");
 }
