@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Writes recordings of rubs and of foreign causes that a simulator of its own made (independent_rotor.py).
 
-Usage: independent_recordings.py DIRECTORY COUNT SEED
+Usage: independent_recordings.py DIRECTORY COUNT SEED [--misaligned]
 
 Writes COUNT recordings of rubs and COUNT of others (fewer from machines that hardly rub), as NNNN.csv with its
 instrument NNNN.yaml; truth.csv says what each is; machine_K.yaml describes the rotor by its first mode alone, with
 the errors of a fit. Four machines run at one speed each, a fifth at half its critical speed, so that the motions that
 rubdiagnose simulates serve many recordings. A rub has 3 % or more of its energy off +-1X and goes less deep than half
 its clearance.
+--misaligned: the rubbing rotors are misaligned, too, so that two causes act at once.
 Needs NumPy. The same arguments give the same bytes on one computer.
 """
 
@@ -54,8 +55,8 @@ def draw_machines(random):
     return machines
 
 
-def draw(random, machines, machine, cause):
-    """Numbers of one run for each entry of `machine` and `cause`."""
+def draw(random, machines, machine, cause, misaligned):
+    """Numbers of one run for each entry of `machine` and `cause`; `misaligned`: rubs have this cause beside them."""
     n = len(cause)
     of = {key: value[..., machine] for key, value in machines.items()}
     first = 2 * np.pi * of["frequency_hz"]
@@ -65,6 +66,7 @@ def draw(random, machines, machine, cause):
     one = np.ones(n)
     for place in ("stop", "probe", "cause"):
         p["at_" + place] = np.array([one, of["second_at_" + place]])
+    p["misaligned"] = (p["cause"] == "misalignment") | (misaligned & np.isin(p["cause"], RUBS))
     p["angle"] = uniform(random, -np.pi, np.pi, n)
     p["second_clearance"] = logarithmic(random, 0.7, 1.43, n)
     p["offset"] = np.where(p["cause"] == "annular_offset", uniform(random, 0.15, 0.9, n), 0)
@@ -172,7 +174,7 @@ def all_runs(rounds):
         yield cause, MACHINES - 1 if slow else k // 3 % (MACHINES - 1)
 
 
-def main(directory, count, seed):
+def main(directory, count, seed, misaligned):
     directory.mkdir(parents=True, exist_ok=True)
     random = np.random.default_rng(seed)
     machines = draw_machines(random)
@@ -183,7 +185,7 @@ def main(directory, count, seed):
         truth.write("recording,cause,machine,probes,off_1x,deepest,contact_share,wander\n")
         while min(kept.values()) < count and (part := list(itertools.islice(runs, BATCH))):
             causes, machine = [run[0] for run in part], np.array([run[1] for run in part])
-            p = draw(random, machines, machine, causes)
+            p = draw(random, machines, machine, causes, misaligned)
             seen, angles, deepest, touched = Rotors(p, random).run(SETTLING, RECORDED, EVERY)
             for i, cause in enumerate(causes):
                 z, kind = seen[i] * p["clearance_m"][i], "rub" if cause in RUBS else "other"
@@ -202,6 +204,6 @@ def main(directory, count, seed):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
+    if len(sys.argv) not in (4, 5) or sys.argv[4:] not in ([], ["--misaligned"]):
         sys.exit(__doc__)
-    main(pathlib.Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]))
+    main(pathlib.Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]), len(sys.argv) == 5)

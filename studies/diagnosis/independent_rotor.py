@@ -31,7 +31,7 @@ class Rotors:
 
     def __init__(self, p, random):
         self.p, self.random = p, random
-        self.kind = {name: p["cause"] == name for name in RUBS + FOREIGN}
+        self.kind = {name: p["cause"] == name for name in RUBS + FOREIGN} | {"misalignment": p["misaligned"]}
         self.normal = np.exp(1j * p["angle"])
         self.flat = self.kind["one_side"] | self.kind["two_sides"]
         self.round = self.kind["annular"] | self.kind["annular_offset"]

@@ -71,7 +71,7 @@ def main(*arguments):
                 continue
             wrong += run(heading, commands, pictures, work, environment)
         if keep := os.environ.get("RUBSWEEP_GALLERY"):
-            shutil.copytree(work, keep, symlinks=True, dirs_exist_ok=True)
+            shutil.copytree(work, keep, ignore=shutil.ignore_patterns("configs", "scripts"), dirs_exist_ok=True)
     print("\n".join(wrong))
     return 1 if wrong else 0
 

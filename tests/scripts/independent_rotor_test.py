@@ -13,7 +13,7 @@ def drawn(causes, **numbers):
     random = np.random.default_rng(3)
     machines = recordings.draw_machines(random)
     machines["frequency_hz"][:], machines["speed_ratio"][:], machines["unequal"][:] = 30, 2, 0
-    p = recordings.draw(random, machines, np.zeros(len(causes), int), causes)
+    p = recordings.draw(random, machines, np.zeros(len(causes), int), causes, False)
     p["wander"][:] = 0
     p["kick"] = np.zeros(len(causes))
     for name, value in numbers.items():

@@ -119,7 +119,7 @@ double probability_of_no_rub(double share, double free_vibration_of_cases) {
   questions.candidates.prior = {0.5, 0.5};
   questions.candidates.measuring.free_vibration = free_vibration_of_cases;
   const auto answer =
-      diagnose_recording(std::move(recording), two_probes, questions, {.motions = 120, .rounds = 0});
+      diagnose_recording(std::move(recording), two_probes, questions, {.motions = 400, .rounds = 0});
   for (const diagnose::answer::CandidateAnswer& candidate : answer->candidates)
     if (candidate.name == "no_rub") return candidate.probability;
   return 0;

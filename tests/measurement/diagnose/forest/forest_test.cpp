@@ -34,6 +34,21 @@ TEST(Forest, MindsTheWeightsOfTheSamples) {
     EXPECT_NEAR(probability_of_second(forest, samples, x), second_cloud(x, 3), 0.06) << x;
 }
 
+TEST(Forest, MindsTheWeightsInFullGrownTrees) {
+  LabelledSamples samples = two_clouds(6000, 2);
+  for (Eigen::Index i = 0; i < samples.weight.size(); ++i)
+    if (samples.label[static_cast<std::size_t>(i)] == 1) samples.weight(i) = 5;
+  const Forest forest(samples, {});
+  // Such trees follow single samples, so that the mean over many places is compared.
+  double told = 0, expected = 0;
+  for (int k = 0; k < 40; ++k) {
+    const double x = -1.2 + 0.02 * k;
+    told += probability_of_second(forest, samples, x) / 40;
+    expected += second_cloud(x, 5) / 40;
+  }
+  EXPECT_NEAR(told, expected, 0.05);
+}
+
 TEST(Forest, WeighsAllSamplesTogetherAsOne) {
   const Forest forest(two_clouds(300, 3), {});
   EXPECT_NEAR(forest.posterior_weights(Eigen::Vector2d(0.4, 1)).sum(), 1, 1e-12);

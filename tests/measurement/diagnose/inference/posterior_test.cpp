@@ -118,6 +118,29 @@ TEST(Posterior, KnowsWhatIsNoneOfThem) {
             0.5);
 }
 
+TEST(Posterior, OtherCausesHaveAnySizeUpToThreeClearances) {
+  // With the same mean clearance the cases are those of the set, and each may be as large as the recordings
+  // below.
+  DiagnosisProblem problem = small_problem();
+  for (Candidate& candidate : problem.candidates) candidate.clearance_m = {5e-6, 1e-2, true};
+  ObservedCases observed;
+  observe_cases(problem, small_set(), 0, observed);
+  features::DescribedMotion seen = recorded_case(1, 11);
+  // Share of none in the forest over that of one side: priors, power and the thousandth of a share are
+  // undone.
+  const auto share_of_none = [&](double size_m) {
+    seen.size_m = size_m;
+    const Posterior posterior = posterior_of(problem, small_set(), observed, seen, 0);
+    const auto raised = [&](double p) { return std::pow(p, 1 / posterior.sharpness); };
+    const double some = (1 - posterior.none) / (5.0 / 12), none = raised(posterior.none / (1.0 / 6)),
+                 quiet = raised(some * posterior.probability(0)),
+                 rub = raised(some * posterior.probability(1)), all = none + quiet + rub;
+    return (none / all * 1.003 - 0.001) / (rub / all * 1.003 - 0.001);
+  };
+  // From 0.02 to 3 clearances at 200 um, from 0.04 on at 400 um.
+  EXPECT_NEAR(share_of_none(4e-4) / share_of_none(2e-4), std::log(3 / 0.04) / std::log(3 / 0.02), 1e-6);
+}
+
 TEST(Posterior, DoesNotDependOnThreads) {
   EXPECT_EQ(posterior_of_case(1, small_problem(), 1).weight, posterior_of_case(1, small_problem(), 3).weight);
 }

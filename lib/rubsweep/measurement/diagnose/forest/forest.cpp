@@ -26,11 +26,11 @@ std::vector<double> edges_of(std::vector<double> values) {
 
 struct Split {
   int feature = -1, last_below = 0;  ///< bins up to this one go to the lower node
-  double purity = 0;  ///< sum over both nodes of (sum of squared label weights) / weight; larger is purer
+  double purity = 0;  ///< sum over both nodes of (sum of squared counts of labels) / count; larger is purer
 };
 
-/// Weight and number of samples of every label on both sides of a split of one feature. The sums grow bin by
-/// bin, so that all splits are compared in one pass.
+/// Number of samples of every label on both sides of a split of one feature. The sums grow bin by bin, so that
+/// all splits are compared in one pass.
 class SplitSearch {
  public:
   SplitSearch(const LabelledSamples& samples, int least_leaf)
@@ -43,9 +43,9 @@ class SplitSearch {
     const std::size_t classes = by_class.size();
     std::fill_n(by_bin_.begin(), static_cast<std::size_t>(bins) * classes, 0.0);
     std::array<int, BinnedFeatures::most_bins> count{};
-    for (const auto& [sample, weight] : members) {
+    for (const auto& [sample, times] : members) {
       const auto s = static_cast<std::size_t>(sample);
-      by_bin_[bin[s] * classes + static_cast<std::size_t>(samples_.label[s])] += weight;
+      by_bin_[bin[s] * classes + static_cast<std::size_t>(samples_.label[s])] += times;
       ++count[bin[s]];
     }
     above_ = by_class;
@@ -67,11 +67,11 @@ class SplitSearch {
     }
   }
 
-  static double purity_of(const std::vector<double>& weights) {
+  static double purity_of(const std::vector<double>& counts) {
     double sum = 0, squares = 0;
-    for (const double w : weights) {
-      sum += w;
-      squares += w * w;
+    for (const double n : counts) {
+      sum += n;
+      squares += n * n;
     }
     return sum > 0 ? squares / sum : 0;
   }
@@ -128,15 +128,12 @@ BinnedFeatures binned(const Eigen::MatrixXd& samples) {
 
 Tree::Tree(const LabelledSamples& samples, const BinnedFeatures& binned, const TreeOptions& options,
            RandomStream random)
-    : weight_(samples.label.size(), 0.0) {
+    : times_drawn_(samples.label.size(), 0) {
   const int count = static_cast<int>(samples.label.size());
-  for (int i = 0; i < count; ++i) {
-    const int drawn = drawn_below(count, random);
-    weight_[static_cast<std::size_t>(drawn)] += samples.weight(drawn);
-  }
+  for (int i = 0; i < count; ++i) ++times_drawn_[static_cast<std::size_t>(drawn_below(count, random))];
   std::vector<Member> members;
   for (int i = 0; i < count; ++i)
-    if (drew(i)) members.push_back({i, weight_[static_cast<std::size_t>(i)]});
+    if (drew(i)) members.push_back({i, times_drawn_[static_cast<std::size_t>(i)]});
   grow(samples, binned, options, random, std::move(members));
 }
 
@@ -145,9 +142,9 @@ int Tree::grow(const LabelledSamples& samples, const BinnedFeatures& binned, con
   const int here = static_cast<int>(nodes_.size());
   nodes_.emplace_back();
   std::vector<double> by_class(static_cast<std::size_t>(samples.classes), 0.0);
-  for (const auto& [sample, weight] : members)
-    by_class[static_cast<std::size_t>(samples.label[static_cast<std::size_t>(sample)])] += weight;
-  const bool mixed = std::ranges::count_if(by_class, [](double weight) { return weight > 0; }) > 1;
+  for (const auto& [sample, times] : members)
+    by_class[static_cast<std::size_t>(samples.label[static_cast<std::size_t>(sample)])] += times;
+  const bool mixed = std::ranges::count_if(by_class, [](double times) { return times > 0; }) > 1;
   Split best{.purity = SplitSearch::purity_of(by_class) * (1 + 1e-12)};
   if (mixed && static_cast<int>(members.size()) >= 2 * options.least_leaf) {
     SplitSearch search(samples, options.least_leaf);
@@ -218,6 +215,7 @@ Forest::Forest(const LabelledSamples& samples, const ForestOptions& options)
     : discriminants_(samples),
       features_(discriminants_.beside(samples.features)),
       label_(samples.label),
+      weight_(samples.weight),
       classes_(samples.classes),
       threads_(options.threads) {
   const BinnedFeatures bins = binned(features_);
@@ -237,11 +235,12 @@ Eigen::VectorXd Forest::weights(const Eigen::VectorXd& features, int without) co
     ++counted;
     const auto& leaf = tree.leaf_of(features);
     double all = 0;
-    for (const Tree::Member& member : leaf) all += member.weight;
-    for (const Tree::Member& member : leaf) sum(member.sample) += member.weight / all;
+    for (const Tree::Member& member : leaf) all += member.times;
+    for (const Tree::Member& member : leaf) sum(member.sample) += member.times / all;
   }
   if (counted == 0) return {};
-  return sum / counted;
+  sum.array() *= weight_.array();
+  return sum / sum.sum();
 }
 
 Eigen::VectorXd Forest::posterior_weights(const Eigen::VectorXd& features) const {

@@ -35,7 +35,7 @@ struct TreeOptions {
 };
 
 /// Classification tree (Breiman, Friedman, Olshen, Stone 1984): every split minimises the Gini impurity of
-/// the weighted labels.
+/// the labels.
 class Tree {
  public:
   /// Grows the tree on a bootstrap sample drawn by `random`.
@@ -44,12 +44,12 @@ class Tree {
 
   struct Member {
     int sample = 0;
-    double weight = 0;  ///< number of times the sample was drawn x its own weight
+    int times = 0;  ///< number of times the sample was drawn
   };
   /// Drawn samples in the leaf that belongs to these features.
   const std::vector<Member>& leaf_of(const Eigen::VectorXd& features) const;
 
-  bool drew(int sample) const { return weight_[static_cast<std::size_t>(sample)] > 0; }
+  bool drew(int sample) const { return times_drawn_[static_cast<std::size_t>(sample)] > 0; }
 
  private:
   struct Node {
@@ -60,7 +60,7 @@ class Tree {
   int grow(const LabelledSamples& samples, const BinnedFeatures& binned, const TreeOptions& options,
            RandomStream& random, std::vector<Member> members);
 
-  std::vector<double> weight_;  ///< weight of every sample: number of times drawn x its own weight
+  std::vector<int> times_drawn_;  ///< for every sample
   std::vector<Node> nodes_;
   std::vector<std::vector<Member>> leaves_;
 };
@@ -90,10 +90,12 @@ struct ForestOptions {
   int threads = 0;  ///< 0: one thread per processor; does not change the result
 };
 
-/// Random forest (Breiman 2001) as the kernel of approximate Bayesian computation. The samples come from the
-/// priors. Samples that share leaves with an observation represent its posterior, both of the candidate
-/// (Pudlo et al. 2016) and of the machine's parameters (Raynal et al. 2019). Linear discriminant functions of
-/// the labels are further features, as Pudlo et al. advise.
+/// Random forest (Breiman 2001) as the kernel of approximate Bayesian computation. Trees grow on all samples
+/// alike and say which of them resemble an observation; the weights of the samples say how often the priors
+/// draw such ones. (Weights hardly count while trees grow, because leaves of a full-grown tree hold a few
+/// samples of mostly one label.) Samples that share leaves with an observation represent its posterior, both
+/// of the candidate (Pudlo et al. 2016) and of the machine's parameters (Raynal et al. 2019). Linear
+/// discriminant functions of the labels are further features, as Pudlo et al. advise.
 class Forest {
  public:
   Forest(const LabelledSamples& samples, const ForestOptions& options);
@@ -115,6 +117,7 @@ class Forest {
   LinearDiscriminants discriminants_;
   Eigen::MatrixXd features_;  ///< features with the discriminant functions
   std::vector<int> label_;
+  Eigen::VectorXd weight_;
   int classes_ = 0, threads_ = 0;
   std::vector<Tree> trees_;
 };

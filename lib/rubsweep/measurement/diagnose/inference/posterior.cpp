@@ -11,11 +11,13 @@
 
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/measurement/diagnose/forest/novelty.hpp"
-#include "rubsweep/measurement/diagnose/inference/other_cause.hpp"
+#include "rubsweep/measurement/diagnose/other_cause.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose::inference {
 namespace {
+
+constexpr double prior_of_none = 1.0 / 6;  ///< Prior probability of "none of these".
 
 /// Smallest width of a size interval, in decades. Simulated sizes are discrete, and some must lie inside.
 constexpr double least_decades = 0.08;
@@ -35,6 +37,17 @@ double share_of_whirl_ratios(const Spread& ratios, const Spread& clearances, dou
   const double low = std::max(ratios.low, radius_m / clearances.high),
                high = std::min(ratios.high, radius_m / clearances.low);
   return low < high ? decades({low, high}) / decades(ratios) : 0;
+}
+
+/// Density of a size that another cause gives, relative to the density of one candidate's sizes as in
+/// density_of_size. No stop holds a whirl of another cause, so that it may be larger than the clearance.
+double density_of_another_cause(const DiagnosisProblem& problem, double size_m) {
+  constexpr Spread ratios{0.01, 3, true};
+  double sum = 0;
+  for (std::size_t c = 0; c < problem.candidates.size(); ++c)
+    sum +=
+        problem.prior[c] * share_of_whirl_ratios(ratios, widened(problem.candidates[c].clearance_m), size_m);
+  return sum;
 }
 
 /// Smallest probability of a candidate: a forest of so many cases cannot tell smaller values from zero.
@@ -88,8 +101,7 @@ Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::s
 }
 
 /// Training samples: each case has the label of its candidate; vibrations of other causes are the last class.
-/// All classes weigh the same: leaves of a full-grown tree hold a few cases, mostly of one class, whatever
-/// their weights are, so that priors count only after the forest.
+/// All classes weigh the same, whatever their priors.
 forest::LabelledSamples samples_of(const DiagnosisProblem& problem, const CaseSet& set,
                                    const ObservedCases& observed) {
   const Eigen::Index cases = observed.features.rows(), others = observed.of_other_causes.rows();
@@ -174,6 +186,7 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
     posterior.size_density(i) =
         density_of_size(problem, set.cases[static_cast<std::size_t>(i)], observed.size_m(i), seen.size_m);
   weight.head(cases).array() *= posterior.size_density.array();
+  weight.tail(weight.size() - cases) *= density_of_another_cause(problem, seen.size_m);
   Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
   for (Eigen::Index i = 0; i < weight.size(); ++i)
     share(samples.label[static_cast<std::size_t>(i)]) += weight(i);

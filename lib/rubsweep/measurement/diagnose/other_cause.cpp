@@ -1,20 +1,20 @@
-#include "rubsweep/measurement/diagnose/inference/other_cause.hpp"
+#include "rubsweep/measurement/diagnose/other_cause.hpp"
 
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
-namespace rubsweep::diagnose::inference {
+namespace rubsweep::diagnose {
 namespace {
 
 using Complex = std::complex<double>;
 using std::numbers::pi;
-
-constexpr int samples_of_a_turn = 32;
 
 double between_logarithms(double low, double high, RandomStream& random) {
   return low * std::pow(high / low, random.uniform());
@@ -40,7 +40,7 @@ Whirl near_circle(bool forward, RandomStream& random) {
 /// Sum of components. The phase of each is the shaft angle times its order, plus a random walk.
 class Vibration {
  public:
-  explicit Vibration(int turns) : z_(static_cast<std::size_t>(turns * samples_of_a_turn)) {}
+  Vibration(std::size_t count, int samples_of_a_turn) : samples_of_a_turn_(samples_of_a_turn), z_(count) {}
 
   void add(double order, double amplitude, const Whirl& whirl, const std::vector<double>& wandered,
            RandomStream& random) {
@@ -57,27 +57,29 @@ class Vibration {
         {});
   }
 
-  const std::vector<Complex>& samples() const { return z_; }
+  std::vector<Complex> samples() && { return std::move(z_); }
+
+  /// Phase of a random walk for every sample.
+  std::vector<double> wandering(RandomStream& random) const {
+    const double step = between_logarithms(1e-3, 0.2, random) / std::sqrt(samples_of_a_turn_);
+    std::vector<double> angle(z_.size());
+    double at = 0;
+    for (double& x : angle) x = at += step * random.normal();
+    return angle;
+  }
 
  private:
   void add(double order, Complex forward, Complex backward, const std::vector<double>& wandered) {
     for (std::size_t k = 0; k < z_.size(); ++k) {
       const double angle =
-          2 * pi * order * static_cast<double>(k) / samples_of_a_turn + (wandered.empty() ? 0 : wandered[k]);
+          2 * pi * order * static_cast<double>(k) / samples_of_a_turn_ + (wandered.empty() ? 0 : wandered[k]);
       z_[k] += forward * std::polar(1.0, angle) + backward * std::polar(1.0, -angle);
     }
   }
 
+  int samples_of_a_turn_;
   std::vector<Complex> z_;
 };
-
-std::vector<double> wandering(std::size_t samples, RandomStream& random) {
-  const double step = between_logarithms(1e-3, 0.2, random) / std::sqrt(samples_of_a_turn);
-  std::vector<double> angle(samples);
-  double at = 0;
-  for (double& x : angle) x = at += step * random.normal();
-  return angle;
-}
 
 /// Adds whole multiples of the shaft speed: one multiple, or a series of decreasing amplitude.
 void add_multiples(Vibration& vibration, double amplitude, RandomStream& random) {
@@ -98,7 +100,7 @@ void add_free_order(Vibration& vibration, double amplitude, RandomStream& random
   const double order = random.uniform() < 0.5 ? 0.2 + 0.8 * random.uniform() : 1 + 4 * random.uniform();
   const Whirl whirl =
       random.uniform() < 0.5 ? any_ellipse(random) : near_circle(random.uniform() < 0.5, random);
-  const std::vector<double> wandered = wandering(vibration.samples().size(), random);
+  const std::vector<double> wandered = vibration.wandering(random);
   vibration.add(order, amplitude, whirl, wandered, random);
   if (random.uniform() < 0.5) {
     std::vector<double> twice = wandered;
@@ -116,7 +118,7 @@ void add_free_order(Vibration& vibration, double amplitude, RandomStream& random
 /// Rotordynamics, 2005, chapter 4).
 void add_oil_whirl(Vibration& vibration, double amplitude, RandomStream& random) {
   const double order = 0.38 + 0.12 * random.uniform();
-  const std::vector<double> wandered = wandering(vibration.samples().size(), random);
+  const std::vector<double> wandered = vibration.wandering(random);
   vibration.add(order, amplitude, near_circle(true, random), wandered, random);
 }
 
@@ -141,27 +143,39 @@ void add_directional_series(Vibration& vibration, RandomStream& random) {
 
 }  // namespace
 
-MotionLines vibration_of_another_cause(int turns, RandomStream& random,
-                                       response::spectrum::SpectrumWorkspace& workspace) {
-  Vibration vibration(turns);
+OtherVibration another_cause(std::size_t count, int samples_of_a_turn, RandomStream& random) {
+  Vibration vibration(count, samples_of_a_turn);
   constexpr double unequal_supports = 0.125;
   const bool alone = random.uniform() < unequal_supports;
   const double backward = alone ? between_logarithms(0.3, 1, random) : between_logarithms(1e-3, 0.5, random);
   vibration.add(1, 1, {1, backward}, {}, random);
+  std::string parts = alone ? "unequal_supports" : "";
   const int components = alone ? 0 : 1 + static_cast<int>(4 * random.uniform() * random.uniform());
   for (int k = 0; k < components; ++k) {
     const double amplitude = between_logarithms(0.05, 3, random), kind = random.uniform();
+    if (k > 0) parts += '+';
     if (kind < 0.3) {
+      parts += "multiples";
       add_multiples(vibration, amplitude, random);
     } else if (kind < 0.6) {
+      parts += "free_order";
       add_free_order(vibration, amplitude, random);
     } else if (kind < 0.8) {
+      parts += "looseness";
       add_directional_series(vibration, random);
     } else {
+      parts += "oil_whirl";
       add_oil_whirl(vibration, amplitude, random);
     }
   }
-  return lines_of(vibration.samples(), turns, most_order, workspace);
+  return {std::move(vibration).samples(), std::move(parts)};
 }
 
-}  // namespace rubsweep::diagnose::inference
+MotionLines vibration_of_another_cause(int turns, RandomStream& random,
+                                       response::spectrum::SpectrumWorkspace& workspace) {
+  constexpr int samples_of_a_turn = 32;
+  const auto count = static_cast<std::size_t>(turns * samples_of_a_turn);
+  return lines_of(another_cause(count, samples_of_a_turn, random).samples, turns, most_order, workspace);
+}
+
+}  // namespace rubsweep::diagnose

@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/diagnose/inference/other_cause.hpp"
+#include "rubsweep/measurement/diagnose/other_cause.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
-namespace rubsweep::diagnose::inference {
+namespace rubsweep::diagnose {
 namespace {
 
 TEST(OtherCause, VibratesAtOnceTheSpeedAndAtOthers) {
@@ -74,4 +74,4 @@ TEST(OtherCause, DependsOnItsRandomNumbersAlone) {
 }
 
 }  // namespace
-}  // namespace rubsweep::diagnose::inference
+}  // namespace rubsweep::diagnose
