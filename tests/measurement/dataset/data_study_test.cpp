@@ -36,10 +36,11 @@ TEST(DataStudyRead, RangesOfTheMachineAreThoseOfEveryCandidateUnlessItHasItsOwn)
           "candidates: [annular, {kind: one_side, clearance_m: 5.0e-4}]\n"
           "recordings: 7\nrecordings_per_machine: 2\nseed: 9\nformat: matlab\n"
           "measurement: {turns: 16, sampling_rate_hz: 1000, probes: 1, noise_share: 0.01}\n"
-          "rub: {penetration_ratio: 0.2, force_ratio: 30}\n",
+          "rub: {penetration_ratio: 0.2, force_ratio: 30}\nother_causes_share: 0.25\n",
       "study.yaml");
   EXPECT_EQ(study.rub.penetration_ratio, 0.2);
   EXPECT_EQ(study.rub.force_ratio, 30);
+  EXPECT_EQ(study.other_causes_share, 0.25);
   EXPECT_EQ(study.fixed.rotor_mass_kg, 3);
   EXPECT_EQ(study.candidates[0].clearance_m.low, 2e-4);
   EXPECT_EQ(study.candidates[1].clearance_m.low, 5e-4);
@@ -59,6 +60,8 @@ TEST(DataStudyRead, RefusesWithPlaceAndWhatIsAllowed) {
   EXPECT_NE(fault("recordings: 5\n").find("output"), std::string::npos);
   EXPECT_NE(fault(output + "recordings: 0\n").find("study.yaml:2:13: recordings: "), std::string::npos);
   EXPECT_NE(fault(output + "recording: 5\n").find("did you mean 'recordings'?"), std::string::npos);
+  EXPECT_NE(fault(output + "other_causes_share: 1.5\n").find("other_causes_share: 1.5 is out of range"),
+            std::string::npos);
   EXPECT_NE(fault(output + "rub: {force_ratio: 0}\n").find("rub.force_ratio: "), std::string::npos);
   EXPECT_NE(fault(output + "measurement: {probes: 3}\n").find("measurement.probes: "), std::string::npos);
   EXPECT_NE(fault(output + "split: {training: 0.5, validation: 0.1, test: 0.1}\n").find("add up to 1"),

@@ -188,6 +188,56 @@ Measurement plain() {
   return measurement;
 }
 
+/// Order between 0.1 and 0.95 whose forward component of the readings is strongest.
+double strongest_slow_order(const LabelledRecording& recording) {
+  double best = 0, strongest = 0;
+  for (double order = 0.1; order < 0.95; order += 0.005) {
+    std::complex<double> sum = 0;
+    for (std::size_t k = 0; k < recording.t_s.size(); ++k) {
+      const double turn = recording.speed_hz * recording.t_s[k],
+                   length = recording.speed_hz * recording.t_s.back(),
+                   window = 1 - std::cos(2 * pi * turn / length);
+      sum +=
+          window * std::complex(recording.x_m[k], recording.y_m[k]) * std::polar(1.0, -2 * pi * order * turn);
+    }
+    if (std::abs(sum) > strongest) {
+      strongest = std::abs(sum);
+      best = order;
+    }
+  }
+  return best;
+}
+
+TEST(LabelledRecording, OtherCausesReplaceQuietWhirlsAlone) {
+  DataStudy study = small_study();
+  study.measurement = plain();
+  study.measurement.turns = 40;
+  study.candidates.resize(1);
+  const DataStudy quiet = study;
+  study.other_causes_share = 0.5;
+  response::motion::Workspace workspace;
+  int others = 0, oil_whirls = 0;
+  for (std::size_t k = 0; k < 120; ++k) {
+    const LabelledRecording one = make_recording(study, k, workspace),
+                            without = make_recording(quiet, k, workspace);
+    EXPECT_EQ(without.other_cause, "");
+    EXPECT_EQ(one.other_cause.empty(), one.x_m == without.x_m) << k;
+    EXPECT_EQ(one.t_s, without.t_s);
+    others += !one.other_cause.empty();
+    if (one.other_cause != "oil_whirl") continue;
+    ++oil_whirls;
+    EXPECT_NEAR(strongest_slow_order(one), 0.44, 0.075) << k;
+  }
+  EXPECT_NEAR(others, 60, 4 * std::sqrt(30));
+  EXPECT_GE(oil_whirls, 3);
+
+  // A rotor that rubs keeps its motion.
+  study = small_study();
+  study.other_causes_share = 1;
+  EXPECT_EQ(make_recording(study, 2, workspace).x_m, make_recording(small_study(), 2, workspace).x_m);
+  EXPECT_EQ(make_recording(study, 2, workspace).other_cause, "");
+}
+
 TEST(LabelledRecordingReadings, AreTheMotionAtTheirTimes) {
   LabelledRecording recording = ellipse();
   diagnose::RandomStream random(1, 0, 0);

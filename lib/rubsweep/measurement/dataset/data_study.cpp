@@ -89,6 +89,7 @@ DataStudy read_root(const yaml::Value& root) {
     spread_of(candidate, Unknown::damping_ratio) = machine.damping_ratio;
     if (candidate.clearance_m.high == 0) candidate.clearance_m = machine.clearance_m;
   }
+  section.field("other_causes_share", study.other_causes_share, share);
   if (const auto value = section.find("rub")) study.rub = read_rub(*value);
   if (const auto value = section.find("measurement")) study.measurement = read_measurement(*value);
   if (const auto value = section.find("split")) study.split = read_split(*value);

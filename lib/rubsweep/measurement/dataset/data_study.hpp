@@ -46,6 +46,7 @@ struct DataStudy {
   std::uint64_t seed = 1;
   std::vector<diagnose::Candidate> candidates{};
   diagnose::FixedNumbers fixed{};
+  double other_causes_share = 0;  ///< share of the recordings without a rub that vibrate from another cause
   diagnose::Spread speed_ratio{1.2, 4.5, false};  ///< shaft speed / natural frequency
   RubBounds rub{};
   Measurement measurement{};

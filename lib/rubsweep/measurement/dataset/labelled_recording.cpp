@@ -1,10 +1,13 @@
 #include "rubsweep/measurement/dataset/labelled_recording.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/measurement/diagnose/other_cause.hpp"
 #include "rubsweep/measurement/recording/shaft_turns.hpp"
 
 namespace rubsweep::dataset {
@@ -72,6 +75,20 @@ void draw_motion(const DataStudy& study, const MachineDraw& machine, LabelledRec
       ": no draw could be simulated that stays within rub.penetration_ratio and rub.force_ratio");
 }
 
+/// Puts the vibration of another cause in the place of a quiet whirl, with its amplitude at 1X, in the share
+/// of recordings that the study asks for.
+void vibrate_from_another_cause(const DataStudy& study, LabelledRecording& recording) {
+  RandomStream random(study.seed, recording.index, Purpose::of_other_cause);
+  if (study.candidates[recording.candidate].cause != diagnose::Cause::no_rub ||
+      random.uniform() >= study.other_causes_share)
+    return;
+  std::vector<std::complex<double>>& motion = recording.motion.displacement_m;
+  const double radius_m = diagnose::size_of(motion);
+  auto other = diagnose::another_cause(motion.size(), samples_per_revolution, random);
+  std::ranges::transform(other.samples, motion.begin(), [&](const auto& z) { return radius_m * z; });
+  recording.other_cause = std::move(other.parts);
+}
+
 /// Readings of one direction at instants that are given in turns of the shaft.
 std::vector<double> read(const std::vector<std::complex<double>>& motion, bool y,
                          const std::vector<double>& turns) {
@@ -123,6 +140,7 @@ LabelledRecording make_recording(const DataStudy& study, std::size_t index,
   recording.mark_turns = machine.mark_turns;
   recording.gain = machine.gain;
   draw_motion(study, machine, recording, workspace);
+  vibrate_from_another_cause(study, recording);
   recording.peak_acceleration_m_per_s2 =
       peak_acceleration(recording.motion.displacement_m, recording.speed_hz);
   RandomStream random(study.seed, index, Purpose::of_readings);

@@ -13,7 +13,7 @@
 namespace rubsweep::dataset {
 
 /// Purposes that keep the random streams of a data set apart.
-enum Purpose : std::uint64_t { of_machine, of_recording, of_readings };
+enum Purpose : std::uint64_t { of_machine, of_recording, of_readings, of_other_cause };
 
 /// Numbers of a machine that its recordings have in common.
 struct MachineDraw {
@@ -41,7 +41,8 @@ struct LabelledRecording {
   double penetration_ratio = 0, force_ratio = 0;  ///< ratios as defined in RubBounds
   double peak_acceleration_m_per_s2 = 0;          ///< of the rotor, from samples_per_revolution points a turn
   diagnose::SimulatedMotion motion{};             ///< label; its samples are replaced by the readings
-  std::string sha256{};  ///< digest of the recording's file, once the file is written
+  std::string other_cause{};  ///< kinds of vibrations of another cause, as in OtherVibration; empty: none
+  std::string sha256{};       ///< digest of the recording's file, once the file is written
   std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: empty with one probe
 };
 

@@ -138,6 +138,8 @@ std::vector<Column> motion_columns() {
       {{"peak_acceleration_m_per_s2",
         "largest acceleration of the rotor in the recording, from 128 points a turn"},
        [](S, R r) { return number(r.peak_acceleration_m_per_s2); }},
+      {{"other_cause", "kinds of vibrations of another cause, joined by +, which replace the quiet whirl"},
+       [](S, R r) { return r.other_cause; }},
   };
 }
 
@@ -208,6 +210,7 @@ std::string study_text(const DataStudy& study) {
       text_of(read.noise_share), read.other_lines.backward_1x, read.other_lines.order_2,
       read.other_lines.order_3, read.gain_error, study.split.training, study.split.validation,
       study.split.test, to_string(study.format));
+  if (study.other_causes_share > 0) text += fmt::format("other_causes_share: {}\n", study.other_causes_share);
   for (const diagnose::Candidate& candidate : study.candidates)
     fmt::format_to(std::back_inserter(text), "candidate {} ({}):\n{}", candidate.name,
                    to_string(candidate.cause), ranges_of(candidate));
