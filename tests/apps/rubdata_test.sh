@@ -74,15 +74,25 @@ while IFS=, read -r file speed; do
     fail "$file has another speed than $speed Hz: $(<seen/measures.csv)"
 done < <(cells one/labels.csv file speed_hz | tail -n +2)
 
+# Recordings without a rub may vibrate from another cause, whatever the threads; those of rubs stay as they are.
+sed 's/^other_causes_share: .*/other_causes_share: 1/' study.yaml >others.yaml
+expect_exit 0 others.yaml --output others --quiet
+expect_exit 0 others.yaml --output others_of_one --quiet --threads 1
+diff -r --exclude=recordings.journal others others_of_one || fail 'other causes of other bytes'
+[[ $(count_rows others/labels.csv "(cause == 'no_rub') == (other_cause != '')") == $(count_rows others/labels.csv 'recording >= 0') ]] ||
+  fail 'other causes stand beside a rub, or are missing'
+expect_same <(cells one/labels.csv cause sha256 | grep -v no_rub) <(cells others/labels.csv cause sha256 | grep -v no_rub)
+[[ $(count_rows one/labels.csv "other_cause != ''") == 0 ]] || fail 'another cause that the study does not ask for'
+
 # MATLAB files have the same numbers: labels agree but for the names of the files, and so does what rubscope reads, up to
 # the digits of a table.
 sed 's/^format: csv/format: matlab/' study.yaml >matlab.yaml
 expect_exit 0 matlab.yaml --output four --quiet
 expect_exit 0 matlab.yaml --output five --quiet --threads 1
 diff -r --exclude=recordings.journal four five || fail 'MATLAB files of other bytes'
-# The last column but two is the sum of the file.
-expect_same <(grep -v '^#' one/labels.csv | sed 's/,[^,]*\(,[^,]*,[^,]*\)$/\1/') \
-  <(grep -v '^#' four/labels.csv | sed -e 's/[.]mat,/.csv,/' -e 's/,[^,]*\(,[^,]*,[^,]*\)$/\1/')
+# The last column but three is the sum of the file.
+expect_same <(grep -v '^#' one/labels.csv | sed 's/,[^,]*\(,[^,]*,[^,]*,[^,]*\)$/\1/') \
+  <(grep -v '^#' four/labels.csv | sed -e 's/[.]mat,/.csv,/' -e 's/,[^,]*\(,[^,]*,[^,]*,[^,]*\)$/\1/')
 file=$(cells one/labels.csv file | tail -n 1)
 "$scope" "four/${file%.csv}.mat" --instrument four/instrument.yaml --output seen_matlab --quiet
 expect_same <(cells seen/measures.csv quantity) <(cells seen_matlab/measures.csv quantity)

@@ -30,7 +30,7 @@ END
 cp "set/$(cells set/labels.csv rubs file | sed -n 's/^1,//p' | head -n 1)" run.csv
 cp set/instrument.yaml run.yaml
 echo "base: $minimal" >machine.yaml
-usual=(run.csv --machine machine.yaml --motions 60 --rounds 1)
+usual=(run.csv --machine machine.yaml --motions 60)
 # Springs alone, whose motions take a third of the time.
 cat >springs.yaml <<'END'
 candidates:
@@ -40,7 +40,7 @@ candidates:
   - {kind: annular, exponent: 1}
   - {kind: annular_offset, exponent: 1}
 END
-quick=("${usual[@]}" --candidates springs.yaml)
+quick=("${usual[@]}" --rounds 1 --candidates springs.yaml)
 # Where the answer does not matter: two candidates, and no round.
 echo 'candidates: [no_rub, {kind: one_side, exponent: 1}]' >two.yaml
 quickest=(run.csv --machine machine.yaml --motions 50 --rounds 0 --candidates two.yaml)
@@ -91,7 +91,7 @@ diff -r one three || fail 'another number of threads, other bytes'
 expect_same good.cases "other_table/${kept##*/}"
 # The usual candidates, half of which are no springs, have the same bytes from the shipped list.
 expect_exit 0 "${usual[@]}" --rounds 0 --output usual --table usual_cases --quiet --threads 1
-expect_exit 0 "${quick[@]}" --rounds 0 --output springs --quiet
+expect_exit 0 "${usual[@]}" --candidates springs.yaml --rounds 0 --output springs --quiet
 cmp -s springs/diagnosis.json usual/diagnosis.json && fail 'the usual candidates are springs'
 expect_exit 0 "${usual[@]}" --rounds 0 --output listed --table usual_cases --candidates "$top/configs/recordings/candidates.yaml" --quiet
 [[ $(find usual_cases -name '*.cases' | wc -l) == 1 ]] || fail 'the shipped list is not the usual one'
