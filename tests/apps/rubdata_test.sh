@@ -112,7 +112,7 @@ refuse() {
   expect_contains stderr "$2"
   expect_missing none
 }
-refuse 's/noise_share: .*/noise_share: [0, 1.0e-2]/' 'bad.yaml:32:16: measurement.noise_share: '
+refuse 's/noise_share: .*/noise_share: [0, 1.0e-2]/' 'bad.yaml:33:16: measurement.noise_share: '
 refuse 's/offset_ratio/ofset_ratio/' "did you mean 'offset_ratio'?"
 refuse 's/sampling_rate_hz: 5000/sampling_rate_hz: 500/' 'reads fewer than 5 times in a turn'
 refuse 's/kind: two_sides/kind: two_sides\n    name: "two\\nlines"/' 'candidates.2.name: is no name, allowed: one line of text'
