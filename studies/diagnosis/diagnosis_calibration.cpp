@@ -71,6 +71,7 @@ double truth_of(const dataset::LabelledRecording& labelled, Quantity quantity) {
     case Quantity::stiffness: return value_of(labelled.values, Unknown::stiffness);
     case Quantity::restitution: return value_of(labelled.values, Unknown::restitution);
     case Quantity::friction: return value_of(labelled.values, Unknown::friction);
+    case Quantity::exponent: return value_of(labelled.values, Unknown::exponent);
   }
   return 0;
 }

@@ -198,9 +198,10 @@ std::vector<QuantityMarginal> marginals_of_a_stop(std::uint64_t seed, int thread
 
 TEST(CandidateMarginals, AreThoseOfTheQuantitiesThatACandidateHas) {
   const auto marginals = marginals_of_a_stop(41);
-  EXPECT_EQ(marginals.size(), all_quantities.size() - 1);
+  EXPECT_EQ(marginals.size(), all_quantities.size() - 2);
   for (const auto& [quantity, marginal] : marginals) {
     EXPECT_NE(quantity, Quantity::position);
+    EXPECT_NE(quantity, Quantity::exponent);
     EXPECT_TRUE(std::isfinite(marginal.quantile(0.025))) << to_string(quantity);
     EXPECT_GE(marginal.probability_up_to(marginal.quantile(0.5)), 0.5) << to_string(quantity);
     EXPECT_LE(marginal.probability_below(marginal.quantile(0.5)), 0.5) << to_string(quantity);

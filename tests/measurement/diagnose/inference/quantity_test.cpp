@@ -28,5 +28,19 @@ TEST(Quantity, OfACaseThatIsTheRecordingIsItsOwn) {
     EXPECT_TRUE(std::isfinite(own(quantity))) << to_string(quantity);
 }
 
+TEST(Quantity, AnExponentIsOneWhereItIsNotKnown) {
+  DiagnosisProblem problem = small_problem();
+  EXPECT_FALSE(has_quantity(problem, 1, Quantity::exponent));
+  spread_of(problem.candidates[1], Unknown::exponent) = {1, 2, false};
+  EXPECT_TRUE(has_quantity(problem, 1, Quantity::exponent));
+  EXPECT_FALSE(has_quantity(problem, 0, Quantity::exponent));
+  CaseSet set = small_set();
+  ObservedCases observed;
+  observe_cases(problem, set, 0, observed);
+  for (SimulatedCase& one : set.cases) one.unit[static_cast<std::size_t>(Unknown::exponent)] = 0.5;
+  const auto last = static_cast<Eigen::Index>(set.cases.size()) - 1;
+  EXPECT_EQ(values_in_cases(problem, set, observed, recorded_case(1, 11), Quantity::exponent)(last), 1.5);
+}
+
 }  // namespace
 }  // namespace rubsweep::diagnose::inference

@@ -11,8 +11,9 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::array<std::string_view, all_quantities.size()> names{
-    "clearance_m",    "stop_angle_deg", "position_m",        "contact_fraction", "peak_force_n",
-    "eccentricity_m", "whirl_ratio",    "stiffness_n_per_m", "restitution",      "friction_coefficient"};
+    "clearance_m",  "stop_angle_deg",       "position_m",  "contact_fraction",
+    "peak_force_n", "eccentricity_m",       "whirl_ratio", "stiffness_n_per_m",
+    "restitution",  "friction_coefficient", "exponent"};
 
 double value_in_case(const DiagnosisProblem& problem, const SimulatedCase& one, const ObservedCases& observed,
                      Eigen::Index row, const features::DescribedMotion& seen, Quantity quantity) {
@@ -34,6 +35,7 @@ double value_in_case(const DiagnosisProblem& problem, const SimulatedCase& one, 
     case Quantity::stiffness: return value_of(values, Unknown::stiffness);
     case Quantity::restitution: return value_of(values, Unknown::restitution);
     case Quantity::friction: return value_of(values, Unknown::friction);
+    case Quantity::exponent: return value_of(values, Unknown::exponent);
   }
   throw SolverError("quantity: no such enumerator");
 }
@@ -43,6 +45,10 @@ double value_in_case(const DiagnosisProblem& problem, const SimulatedCase& one, 
 bool has_quantity(const DiagnosisProblem& problem, std::size_t candidate, Quantity quantity) {
   const Cause cause = problem.candidates[candidate].cause;
   if (cause == Cause::no_rub) return false;
+  if (quantity == Quantity::exponent) {
+    const Spread& exponents = spread_of(problem.candidates[candidate], Unknown::exponent);
+    return exponents.low < exponents.high;
+  }
   if (quantity == Quantity::stop_angle) return cause != Cause::annular;
   return quantity != Quantity::position || problem.fixed.kit;
 }

@@ -20,17 +20,18 @@ enum class Quantity {
   whirl_ratio,
   stiffness,  ///< stiffness of the contact, N/m
   restitution,
-  friction
+  friction,
+  exponent  ///< exponent of the penetration in the contact force
 };
 inline constexpr std::array all_quantities{
     Quantity::clearance,   Quantity::stop_angle,   Quantity::position,    Quantity::contact_fraction,
     Quantity::peak_force,  Quantity::eccentricity, Quantity::whirl_ratio, Quantity::stiffness,
-    Quantity::restitution, Quantity::friction};
+    Quantity::restitution, Quantity::friction,     Quantity::exponent};
 
 std::string_view to_string(Quantity quantity);  ///< Name with unit, such as clearance_m or stop_angle_deg.
 
 /// Whether a candidate has this quantity. Without a rub there are no quantities; a round stop about the rest
-/// position has no direction; a Jeffcott rotor has no positions along the shaft.
+/// position has no direction; a Jeffcott rotor has no positions along the shaft; an exponent may be known.
 bool has_quantity(const DiagnosisProblem& problem, std::size_t candidate, Quantity quantity);
 
 double wrapped_deg(double angle_deg);  ///< Equivalent angle in [-180, 180].
