@@ -59,10 +59,10 @@ source_of() {
 }
 
 if $all; then
-  mapfile -t sources < <(git ls-files '*.cpp')
+  mapfile -t sources < <(git ls-files '*.cpp' ':!examples')
 else
   [[ $base ]] || default_base
-  mapfile -t sources < <(git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp' |
+  mapfile -t sources < <(git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp' ':!examples' |
     while IFS= read -r file; do source_of "$file"; done | sort -u | sed '/^$/d')
 fi
 ((${#sources[@]})) || exit 0

@@ -13,8 +13,10 @@ namespace rubsweep::matlab {
 /// it brings a dozen other libraries and few users read such files. A function name may be a macro for a
 /// versioned name.
 #define RUBSWEEP_TEXT_OF(name) #name
+// NOLINTBEGIN(bugprone-macro-parentheses): the name that is declared takes none
 #define RUBSWEEP_HDF5(name) \
   decltype(&::name) name = reinterpret_cast<decltype(&::name)>(symbol(RUBSWEEP_TEXT_OF(name)))
+// NOLINTEND(bugprone-macro-parentheses)
 struct Hdf5Library {
   static const Hdf5Library& get();  ///< Opens the library, once. Throws FileError where it is not installed.
 

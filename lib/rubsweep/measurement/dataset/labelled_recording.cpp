@@ -93,6 +93,7 @@ void vibrate_from_another_cause(const DataStudy& study, LabelledRecording& recor
 std::vector<double> read(const std::vector<std::complex<double>>& motion, bool y,
                          const std::vector<double>& turns) {
   std::vector<double> signal;
+  signal.reserve(motion.size());
   for (const std::complex<double> z : motion) signal.push_back(y ? z.imag() : z.real());
   // Each reading is the first sample of its own interval, so one more instant must end the last interval.
   std::vector<double> ends = turns;

@@ -174,7 +174,7 @@ OtherVibration another_cause(std::size_t count, int samples_of_a_turn, RandomStr
 MotionLines vibration_of_another_cause(int turns, RandomStream& random,
                                        response::spectrum::SpectrumWorkspace& workspace) {
   constexpr int samples_of_a_turn = 32;
-  const auto count = static_cast<std::size_t>(turns * samples_of_a_turn);
+  const std::size_t count = static_cast<std::size_t>(turns) * samples_of_a_turn;
   return lines_of(another_cause(count, samples_of_a_turn, random).samples, turns, most_order, workspace);
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/core/integrate/law/dynamics.hpp"
@@ -56,8 +57,8 @@ class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynami
   using Base = law::Dynamics<Eigen::Dynamic, Smoothed>;
 
  public:
-  TwistDynamics(const run::ScaledSystem<Eigen::Dynamic>& system, double smoothing_width, const TwistLaw& law)
-      : OwnSystem(system), Base(OwnSystem::own, smoothing_width), law_(law) {
+  TwistDynamics(const run::ScaledSystem<Eigen::Dynamic>& system, double smoothing_width, TwistLaw law)
+      : OwnSystem(system), Base(OwnSystem::own, smoothing_width), law_(std::move(law)) {
     for (const auto& contact : system.contacts) surface_m_per_s_.push_back(contact.surface_speed_m_per_s);
   }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
 
 namespace rubsweep::integrate::law {
@@ -8,7 +10,7 @@ namespace rubsweep::integrate::law {
 /// that refers to it.
 template <int N>
 struct OwnSystem {
-  explicit OwnSystem(const run::ScaledSystem<N>& system) : own(system) {}
+  explicit OwnSystem(run::ScaledSystem<N> system) : own(std::move(system)) {}
   run::ScaledSystem<N> own;
 };
 

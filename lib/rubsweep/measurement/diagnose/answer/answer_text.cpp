@@ -118,7 +118,7 @@ std::string orbits_csv(const Answer& answer, const MotionLines& recorded, bool p
   const Eigen::VectorXcd seen = waveform_of(recorded, points_of_a_turn, workspace);
   const Eigen::VectorXcd simulated =
       waveform_of(answer.best.front().overlay.simulated, points_of_a_turn, workspace);
-  const Eigen::Index count = points_of_a_turn * std::min(recorded.turns, most_turns);
+  const auto count = Eigen::Index{points_of_a_turn} * std::min(recorded.turns, most_turns);
   for (Eigen::Index k = seen.size() - count; k < seen.size(); ++k) {
     const double turns = static_cast<double>(k) / points_of_a_turn;
     text += plane ? fmt::format("{:.6f},{:.7g},{:.7g},{:.7g},{:.7g}\n", turns, seen(k).real(), seen(k).imag(),

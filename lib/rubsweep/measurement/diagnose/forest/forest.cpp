@@ -29,8 +29,8 @@ struct Split {
   double purity = 0;  ///< sum over both nodes of (sum of squared counts of labels) / count; larger is purer
 };
 
-/// Number of samples of every label on both sides of a split of one feature. The sums grow bin by bin, so that
-/// all splits are compared in one pass.
+/// Number of samples of every label on both sides of a split of one feature. The sums grow bin by bin, so
+/// that all splits are compared in one pass.
 class SplitSearch {
  public:
   SplitSearch(const LabelledSamples& samples, int least_leaf)

@@ -41,9 +41,9 @@ double folded_density(double x, double centre, double deviation) {
 constexpr int draws_together = 128;
 
 /// Simulates draws and keeps the successful ones as cases, in the order of the draws.
-template <class Point_of>
+template <class PointOf>
 void simulate_draws(const DiagnosisProblem& problem, std::size_t candidate, int count,
-                    const Point_of& point_of, const CaseOptions& options, std::vector<SimulatedCase>& cases) {
+                    const PointOf& point_of, const CaseOptions& options, std::vector<SimulatedCase>& cases) {
   std::vector<std::optional<SimulatedCase>> simulated(static_cast<std::size_t>(count));
   const std::atomic<bool> go_on{false};
   batch::parallel_run(
