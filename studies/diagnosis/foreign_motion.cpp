@@ -151,7 +151,7 @@ std::vector<Complex> foreign_motion(Foreign cause, double speed_ratio, double da
     case Foreign::bearing_fault: add_bearing(lines, random); break;
     case Foreign::oil_whirl: add_oil_whirl(lines, random); break;
     case Foreign::electrical_run_out: add_run_out(lines, random); break;
-    case Foreign::clipped_sensor: break;  // run-out affects only the readings
+    case Foreign::clipped_sensor:  // affects only the readings
     case Foreign::loose_support: break;
   }
   return lines.samples();

@@ -212,6 +212,7 @@ inline HardScene casing_of_a_gram() {
 struct NamedHardScene {
   const char* name;
   HardScene (*make)();
+  // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name
   friend void PrintTo(const NamedHardScene& scene, std::ostream* out) { *out << scene.name; }
 };
 inline constexpr NamedHardScene hard_scenes[] = {

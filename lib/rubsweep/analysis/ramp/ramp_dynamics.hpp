@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/core/integrate/law/dynamics.hpp"
@@ -39,9 +40,8 @@ class RampDynamics : private integrate::law::OwnSystem<N>, public integrate::law
   using OwnSystem = integrate::law::OwnSystem<N>;
 
  public:
-  RampDynamics(const integrate::run::ScaledSystem<N>& system, double smoothing_width,
-               const RampForces& forces)
-      : OwnSystem(system), Base(OwnSystem::own, smoothing_width), forces_(forces) {
+  RampDynamics(const integrate::run::ScaledSystem<N>& system, double smoothing_width, RampForces forces)
+      : OwnSystem(system), Base(OwnSystem::own, smoothing_width), forces_(std::move(forces)) {
     for (const auto& contact : system.contacts)
       reference_surface_m_per_s_.push_back(contact.surface_speed_m_per_s);
   }

@@ -247,7 +247,7 @@ std::vector<Variable> read_version_73(std::string_view bytes, const Wanted& want
   const Hdf5Library& library = Hdf5Library::get();
   const Handle access{library, library.H5Pcreate(library.file_access)};
   constexpr std::size_t step = 1 << 16;
-  if (library.H5Pset_fapl_core(access, step, 0) < 0 ||
+  if (library.H5Pset_fapl_core(access, step, false) < 0 ||
       library.H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()) < 0)
     throw FileError{"cannot be read by HDF5"};
   // HDF5 reads the bytes in memory, but it needs a file name that does not exist.
