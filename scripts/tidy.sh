@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # tidy.sh [--minutes N] [--all | BASE]: clang-tidy, as .clang-tidy has it, on the C++ files that differ from the commit BASE;
-# with --all on every source. Without either, BASE is where this branch left main (on main itself: the commit before).
-# A header is looked at through a source that includes it. --minutes N: begins no file after N minutes and names those that
-# were left out. Exits 1 when there is a finding.
+# with --all on every source but those of examples/, which are built elsewhere. Without either, BASE is where this branch
+# left main (on main itself: the commit before). A header is looked at through a source that includes it. --minutes N: begins
+# no file after N minutes and names those that were left out. Exits 1 when there is a finding.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 database=build/tidy

@@ -207,8 +207,9 @@ bool started_alone() {
          std::getenv("OMPI_COMM_WORLD_RANK") == nullptr;
 }
 
-/// Exit code if the arguments ask for the help or the version; both are answered without MPI, because a
-/// session of Open MPI fails where another one begins at the same moment, or where it cannot write to TMPDIR.
+/// Exit code if the arguments ask for the help or the version, or are no arguments of this program. All of
+/// these are answered without MPI, because a session of Open MPI fails where another one begins at the same
+/// moment, or where it cannot write to TMPDIR.
 std::optional<int> answer_without_mpi(int argc, char** argv) {
   bool is_answered = false;
   hold_summary(true);
