@@ -87,8 +87,11 @@ TEST(SimulatedCase, NoneTouchesDeeperThanHalfOfItsSmallestClearance) {
                          scene::WhirlRatio{value_of(values, Unknown::whirl_ratio)}, problem.turns, workspace);
       if (!any) continue;
       const double second = cause == Cause::two_sides ? value_of(values, Unknown::second_clearance_ratio) : 1;
-      const bool within = any->contact.peak_contact_force_n <=
-                          0.5 * value_of(values, Unknown::stiffness) * 2e-4 * std::fmin(1, second);
+      // Every exponent has the stiffness at a twentieth of the clearance.
+      const double deepest = 0.5 * std::fmin(1, second) / 0.05,
+                   force_n = value_of(values, Unknown::stiffness) * 0.05 * 2e-4 *
+                             std::pow(deepest, value_of(values, Unknown::exponent));
+      const bool within = any->contact.peak_contact_force_n <= force_n;
       ++(within ? shallow : deep);
       EXPECT_EQ(simulate_case(problem, 1, unit, workspace).has_value(), within);
     }
