@@ -257,8 +257,7 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
   }
   forget_what_overflows(cell);
   const bool has_quiet_motion = std::isfinite(amplitude_per_m) && std::isfinite(mean);
-  // A run from rest needs no quiet motion: at an undamped resonance the vibration grows until it meets a
-  // wall.
+  // A run from rest needs no quiet motion: at an undamped resonance it grows until it meets a wall.
   const bool needs_none = model::begins_at_rest(prepared.machine.start) && std::isfinite(mean);
   if (!(has_quiet_motion || needs_none) || !std::isfinite(cell.eccentricity_m)) {
     cell.start = has_quiet_motion && mean >= 0 ? Start::initial_contact : Start::unreachable;

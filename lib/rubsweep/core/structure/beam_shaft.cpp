@@ -108,8 +108,7 @@ void add_point_masses(const model::RotorKit& kit, BeamShaft& shaft) {
 }
 
 std::optional<Eigen::Index> find_deflection(const std::vector<double>& node_position_m, double position_m) {
-  // Tolerance slightly above the distance at which stations are merged, so that rounding of either does not
-  // matter.
+  // Tolerance slightly above the distance at which stations are merged: rounding of either does not matter.
   const double tolerance = (1 + 1e-3) * same_place * node_position_m.back();
   for (std::size_t node = 0; node < node_position_m.size(); ++node) {
     if (std::abs(node_position_m[node] - position_m) <= tolerance) return static_cast<Eigen::Index>(2 * node);

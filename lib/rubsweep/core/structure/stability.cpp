@@ -75,8 +75,7 @@ double growth_per_s(const LinearSystem& system) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   double growth = 0;
   for (Eigen::Index k = 0; k < modes.values.size(); ++k) {
-    // A defective eigenvector has no condition number; rounding then shifts its rate by the square root of
-    // epsilon.
+    // A defective eigenvector has no condition number; rounding then shifts its rate by sqrt(epsilon).
     const double condition = left.row(k).norm() * modes.vectors.col(k).norm();
     const double share =
         std::isfinite(condition) ? std::min(epsilon * condition, std::sqrt(epsilon)) : std::sqrt(epsilon);

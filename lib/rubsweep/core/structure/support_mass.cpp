@@ -32,8 +32,7 @@ bool has_no_negative_mass(const MatrixXd& mass) {
   return numerics::dense::CholeskyFactors(unit.asDiagonal() * part * unit.asDiagonal()).positive_definite();
 }
 
-/// Refuses a mode of this frequency in the range that matters: where the number of modes is given, ten times
-/// the first.
+/// Refuses a mode of this frequency in the range that matters: up to ten times the first if modes are given.
 void refuse_slow_mode(const model::RotorKit& kit, double hz, double first_hz) {
   const double up_to_hz = kit.modes ? std::min(10 * first_hz, kit.modes_up_to_hz) : kit.modes_up_to_hz;
   if (hz >= up_to_hz) return;

@@ -217,8 +217,7 @@ class Reader {
 void* Hdf5Library::symbol(const char* name) {
   void* const library = open_library();
   void* found = library == nullptr ? nullptr : dlsym(library, name);
-  // In a program that is linked with the same library, the variables exist twice; the program's own copies
-  // are used.
+  // In a program that is linked with the same library, its own copies of the variables are used.
   if (found != nullptr && dlsym(RTLD_DEFAULT, "H5open") == dlsym(library, "H5open"))
     found = dlsym(RTLD_DEFAULT, name);
   if (found == nullptr)

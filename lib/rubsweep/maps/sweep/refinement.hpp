@@ -42,8 +42,7 @@ std::vector<std::size_t> wanted_cells(const Grid& grid, std::span<const int> lab
 /// Refinement level at which a cell is first needed; 0 for the lattice and the probes.
 int refinement_level(const Grid& grid, std::size_t cell);
 
-/// Labels of all cells of a complete refined map. In each block, all cells get the common label of its known
-/// cells.
+/// Labels of all cells of a complete refined map: those of a block get the common label of its known cells.
 std::vector<int> painted_labels(const Grid& grid, std::span<const int> labels);
 
 /// For each cell of a complete refined map, the computed cell whose motion it shows. A computed cell shows

@@ -52,8 +52,7 @@ bool never_touches(const scene::Cell& cell, numerics::ModalFormCache& forms) {
   return response::proof::RestProof(cell, forms).proves(section);
 }
 
-/// Reason why no cell touches; empty if some cell may. `forms`: cache of modal forms, which do not depend on
-/// the kick.
+/// Reason why no cell touches; empty if some cell may. `forms`: cache of modal forms, the same for all kicks.
 std::string why_untouched(const Study& study, const scene::PreparedMachine& prepared,
                           numerics::ModalFormCache& forms) {
   if (!study.grid.axes.empty()) return "";  // the machine differs from cell to cell

@@ -247,10 +247,8 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
     // Table steps cover the time up to the parabola's root as far as they fit. The series covers the
     // remaining time plus a quarter of it, and a twentieth of the whole time for the error of the parabola.
     // If this is too short, the loop below takes a longer series, so that the two numbers affect only the
-    // cost. Measured: of 810 000 landings of configs/benchmark/one_side.yaml and 770 000 of three other maps
-    // none was farther than a twentieth from the parabola's root, and none needed a second series, with 10.3
-    // terms on average. If the series ended at the parabola's root, 42 % of them would need a second one,
-    // with 15.3 terms on average.
+    // cost: none of 1.6 million landings of four maps needed a second series. If the series ended at the
+    // parabola's root, 42 % would need one.
     stepped_s = guess_s - modes::table_steps(*mode_, fastest, guess_s, [this](int k) { step_by_table(k); });
     size = fastest * (1.25 * (guess_s - stepped_s) + 0.05 * guess_s);
   }

@@ -23,8 +23,7 @@ constexpr double shortest_to_annular = 1e-7;
 /// makes the turn.
 constexpr long most_steps = 100'000;
 /// Shortest certain stretch of saturated friction, as a share of a mode's longest step, for a return from
-/// another solver. It is longer than the stretch that ends an exact piece, so that the two solvers do not
-/// alternate.
+/// another solver: longer than the stretch that ends an exact piece, lest the two solvers alternate.
 constexpr double stretch_to_join = 16 * SlipWatch<2>::shortest_stretch;
 
 }  // namespace

@@ -17,8 +17,7 @@ namespace {
 /// Spacing of cubics in radians of a vibration. They miss its peaks by less than h^4 / 384 of its amplitude:
 /// 2e-9 for the vibration by unbalance, and 1e-6 for faster vibrations, which are comparatively small.
 constexpr double peak_step = 0.03, fast_peak_step = 0.15;
-/// Longest Taylor piece, in radians of the fastest vibration; a step in closed form saves time only if it
-/// is longer.
+/// Longest Taylor piece, in radians of the fastest vibration; only longer steps in closed form save time.
 constexpr double piece = 8;
 /// A vibration below this share of a clearance is ignored: it adds less than that to a peak.
 constexpr double unseen = 1e-10;
@@ -118,8 +117,7 @@ void StickingStretch::watch(MadeMode& made) const {
   for (const auto& casing : system_.casings) add(casing.map, &run::TurnReport::peak_casing_displacement_m);
 }
 
-/// The system in which each annular stop that holds the rotor is replaced by a flat wall perpendicular to the
-/// local normal.
+/// The system with a flat wall, perpendicular to the normal, for each annular stop that holds the rotor.
 run::ScaledSystem<Eigen::Dynamic> StickingStretch::with_flat_rings() const {
   run::ScaledSystem<Eigen::Dynamic> flat = system_;
   auto normal = normals_.begin();

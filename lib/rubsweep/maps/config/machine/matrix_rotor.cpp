@@ -102,8 +102,7 @@ Form matrix_unbalance() {
                1, most_rows)});
 }
 
-/// Whether a key of a rotor kit cannot be combined with matrices, because they contain its effect or exclude
-/// it.
+/// Whether a key of a rotor kit cannot be combined with matrices, which contain its effect or exclude it.
 bool is_excluded_by_matrices(std::string_view name) {
   return name == mass_damping_key ||
          std::ranges::any_of(excluded, [&](const auto& one) { return one.first == name; });

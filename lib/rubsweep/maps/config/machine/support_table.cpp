@@ -34,8 +34,7 @@ constexpr std::array<Ending, 4> of_damping{
     {{"", 1}, {"_ns_per_m", 1}, {"_ns_per_mm", 1e3}, {"_lbf_s_per_in", table::lbf_per_in}}};
 constexpr std::array<Ending, 2> of_mass{{{"", 1}, {"_kg", 1}}};
 
-/// Names that a column of model::support_coefficients may have, each with its unit in SI units. Built only
-/// once.
+/// Names that a column of model::support_coefficients may have, each with its unit in SI. Built only once.
 const std::vector<std::pair<std::string, double>>& names_of(std::size_t column) {
   static const auto all = [] {
     std::array<std::vector<std::pair<std::string, double>>, model::support_coefficients.size()> names;

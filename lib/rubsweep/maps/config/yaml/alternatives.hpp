@@ -39,8 +39,7 @@ void drop_entry(Node& map, std::size_t index);  ///< Removes one key of a map an
 /// Adds a problem for every repeated key of the map at `path`.
 void refuse_repeated_keys(const Node& map, std::string_view path, Diagnostics& diagnostics);
 
-/// Keeps only the first of equal keys in a map. Called after the repetition was reported, so that it is not
-/// reported twice.
+/// Keeps only the first of equal keys in a map, after the repetition was reported.
 void drop_repeated_keys(Node& map);
 
 }  // namespace rubsweep::config::yaml

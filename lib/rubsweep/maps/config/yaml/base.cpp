@@ -33,8 +33,7 @@ void write_over(Node& base, Node::Key key, Node item, std::string_view path, con
   }
 }
 
-/// A key of `over` without a value removes the same key of `base`. This is done before alternative keys are
-/// removed.
+/// A key of `over` without a value removes the same key of `base`, before alternative keys are removed.
 void take_back(Node& base, Node& over) {
   for (std::size_t i = over.keys.size(); i-- > 0;) {
     const Node* found = entry(base, over.keys[i].text);

@@ -39,8 +39,7 @@ std::string shown(std::string_view text, std::size_t longest = 60);
 /// Dotted path of the child `name` of `path`, fit for a message.
 std::string child_path(std::string_view path, std::string_view name);
 
-/// Remembers the lines of a message that was shown. Lines after the first 1000 are dropped. Any thread may
-/// call it.
+/// Remembers the first 1000 lines of the messages that were shown. Any thread may call it.
 void remember_lines(std::string_view shown);
 
 /// Lines of all messages that this process showed on stderr, without empty ones.
@@ -71,8 +70,7 @@ struct ParsedNumber {
 };
 
 /// Reads a whole word as a decimal number: optional sign, digits with an optional point, optional exponent.
-/// Does not accept hexadecimal, digit separators, a decimal comma or surrounding blanks. Leading zeros do not
-/// mean octal.
+/// Hexadecimal, digit separators, a decimal comma and blanks are refused. Leading zeros do not mean octal.
 ParsedNumber parse_number(std::string_view word);
 
 }  // namespace rubsweep::config::yaml

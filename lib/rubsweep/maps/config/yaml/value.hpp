@@ -30,8 +30,7 @@ using model::IntegerRange;
 std::string describe(const IntegerRange& range);
 std::string describe(std::span<const std::string_view> words);
 
-/// Adds a problem at the value's place, and returns an empty result. `wrong` is the rest of a sentence about
-/// the value.
+/// Adds a problem at the value's place. `wrong` ends a sentence about the value. Returns an empty result.
 std::nullopt_t refuse(const Value& value, std::string_view wrong, std::string_view allowed);
 
 /// Description of a node that is not what was wanted: "has no value", "is a list", "is a map" or "'text'".
@@ -63,8 +62,7 @@ inline constexpr std::size_t max_text_bytes = 4096;
 /// Items of a list of 1 to `longest` values; none after a problem.
 std::vector<Value> read_list(const Value& value, std::size_t longest);
 
-/// Numbers of a list of 1 to `longest` values, each within `range`. Numbers that added a problem are left
-/// out.
+/// Numbers of a list of 1 to `longest` values, each within `range`, without those that added a problem.
 std::vector<double> read_number_list(const Value& value, const model::Range& range, std::size_t longest);
 
 }  // namespace rubsweep::config::yaml

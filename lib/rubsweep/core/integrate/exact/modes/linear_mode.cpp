@@ -107,10 +107,9 @@ class ModeBuilder {
     // amplitude a and rate w has the bound M = a w^2. For t > 2 / w, M t^2 / 2 exceeds its largest possible
     // rise 2 a, so that steps much longer than a radian of the slowest vibration could not be certified. In
     // contact the fast vibration against the stop ends the mode within a few of its radians, and bounds
-    // without a modal form need a grid that is as fine. Measured for a limit of 4, 8, 16, 32, 64 radians at 8
-    // speeds of a map: 5.8, 4.9, 4.5, 4.3, 4.3 steps per change of mode in configs/hard_case/one_side.yaml,
-    // and 9.2, 8.0, 7.7, 7.6, 8.0 in configs/rotor_kit.yaml. The first map takes 0.37, 0.35, 0.35, 0.39, 1.2
-    // s, and 4 s without a limit.
+    // without a modal form need a grid that is as fine. Of 4, 8, 16, 32, 64 radians, 8 and 16 take the least
+    // time in configs/hard_case/one_side.yaml (4.5 steps per change of mode), and 16 and 32 in
+    // configs/rotor_kit.yaml.
     mode_->longest_step_s = 1 / slowest(mode_->stiffness);
     if (!open()) mode_->longest_step_s = std::min(mode_->longest_step_s, 16 / mode_->fastest_rad_per_s);
     mode_->longest_steps_per_s = 1 / mode_->longest_step_s;
