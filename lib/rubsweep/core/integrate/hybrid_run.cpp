@@ -27,7 +27,8 @@ constexpr double last_join = 2 * std::numbers::pi - 1e-9;
 constexpr double before_the_end = 1e-6;
 /// Largest number of pieces before the next search for a sticking stretch after one without success.
 constexpr int longest_wait = 64;
-/// Successive sticking pieces at one place of an annular stop after which a mode for this place saves time.
+/// Number of successive sticking pieces at one place of an annular stop after which a mode for this place
+/// saves time.
 constexpr int pieces_worth_a_mode = 16;
 
 /// Largest work of a turn made by several methods together.

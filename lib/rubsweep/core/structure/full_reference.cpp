@@ -23,7 +23,8 @@ using std::numbers::pi;
 constexpr double grid_decades = 2.5;
 constexpr double growing = 1e-4;  ///< share of its frequency above which growth is certain
 
-/// Frequency points for a system of this size; the cost of each grows with the third power of the size.
+/// Number of frequency points for a system of this size; the cost of each grows with the third power of the
+/// size.
 int points_for(Index coordinates) {
   constexpr int most = 100, least = 25;
   constexpr double many = 150;

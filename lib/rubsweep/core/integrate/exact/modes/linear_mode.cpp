@@ -108,8 +108,7 @@ class ModeBuilder {
     // rise 2 a, so that steps much longer than a radian of the slowest vibration could not be certified. In
     // contact the fast vibration against the stop ends the mode within a few of its radians, and bounds
     // without a modal form need a grid that is as fine. Of 4, 8, 16, 32, 64 radians, 8 and 16 take the least
-    // time in configs/hard_case/one_side.yaml (4.5 steps per change of mode), and 16 and 32 in
-    // configs/rotor_kit.yaml.
+    // time in configs/hard_case/one_side.yaml, and 32 and 16 the fewest steps in configs/rotor_kit.yaml.
     mode_->longest_step_s = 1 / slowest(mode_->stiffness);
     if (!open()) mode_->longest_step_s = std::min(mode_->longest_step_s, 16 / mode_->fastest_rad_per_s);
     mode_->longest_steps_per_s = 1 / mode_->longest_step_s;
