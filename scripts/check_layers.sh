@@ -89,8 +89,7 @@ declare -A below=(
   # Random forest as kernel of a posterior, and the test whether an observation belongs to its population; no
   # physics.
   [diagnose/forest]='batch diagnose'
-  # Cases from priors and proposals, their table on the disk, the posterior in rounds, the use of a further
-  # measurement.
+  # Cases drawn from the priors, their table on the disk, the posterior, the use of a further measurement.
   [diagnose/inference]='diagnose/features diagnose/forest matlab'
   # The answer of `rubdiagnose`: text, JSON, tables, the recording laid over the closest case.
   [diagnose/answer]='diagnose/inference'

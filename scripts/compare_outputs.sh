@@ -212,7 +212,7 @@ compare_recordings() {
     --ring-down @recordings.ring_down/files/sensors.csv --from-s 0.006
   both recordings.rubbing rubtrace "$jeffcott" --speed-hz 70 --whirl-ratio 0.3 --last-revolutions 1 --sample-s 1e-3 --noise-m 2e-6
   both recordings.diagnosis rubdiagnose @recordings.rubbing/files/sensors.csv --instrument "$work/probes.yaml" \
-    --machine "$jeffcott" --candidates "$work/candidates.yaml" --motions 60 --rounds 1 --table "$work/cases"
+    --machine "$jeffcott" --candidates "$work/candidates.yaml" --motions 60 --table "$work/cases"
   both recordings.two_maps_a rubsweep configs/minimal.yaml
   both recordings.two_maps_b rubsweep configs/minimal.yaml --set kick.force_n=150
   FILE=map.svg both recordings.picture rubplot map @recordings.two_maps_a/files

@@ -21,9 +21,9 @@ po::options_description visible_options() {
       "what is asked about, with ranges for what is not known; the usual list unless given");
   add_instrument(options);
   options.add_options()("motions", po::value<int>()->value_name("N")->default_value(600),
-                        "simulated motions of each candidate to begin with")(
-      "rounds", po::value<int>()->value_name("N")->default_value(3),
-      "most rounds of further motions near those that resemble the recording")(
+                        "simulated motions of each candidate")(
+      "rounds", po::value<int>()->value_name("N")->default_value(0),
+      "of earlier versions: 160 more motions of each candidate for each round")(
       "seed", po::value<long>()->value_name("N")->default_value(1), "of the random numbers")(
       "table", po::value<std::string>()->value_name("DIR"),
       "keep simulated motions there, for the next recording of the machine at that speed, instead of beside "

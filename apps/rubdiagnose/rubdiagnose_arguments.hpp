@@ -16,7 +16,7 @@ struct RubdiagnoseArguments : RecordingArguments {
   std::filesystem::path machine = {}, table = {};
   std::optional<std::filesystem::path> candidates = {};  ///< empty: the usual candidates
   std::uint64_t seed = 1;
-  int motions = 600, rounds = 3, threads = 0;
+  int motions = 600, rounds = 0, threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;
   model::ShownLengths shown = {};
   std::optional<Figure> figure = {};

@@ -17,5 +17,5 @@ with tempfile.TemporaryDirectory() as directory:
     print(scope.text)
     print(scope["lines"].head(6).to_string(index=False))
 
-    answer = rubsweep.diagnose(recording, machine, instrument=instrument, options=("--motions", "50", "--rounds", "0"))
+    answer = rubsweep.diagnose(recording, machine, instrument=instrument, options=("--motions", "50"))
     print(answer["probabilities"].to_string(index=False))

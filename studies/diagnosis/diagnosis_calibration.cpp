@@ -1,8 +1,8 @@
-// diagnosis_calibration FIRST COUNT SEED CASES ROUNDS: diagnoses recordings of machines drawn from the priors
-// of rubdata, with the candidates in turn. It works like rubdiagnose, with CASES motions per candidate and at
-// most ROUNDS rounds of narrowing. Prints one CSV line per recording: the truth, the probabilities, and the
-// ranks of the true numbers in their posterior distributions. Machines, motions and readings come from
-// rubdata, whose code the diagnosis does not use.
+// diagnosis_calibration FIRST COUNT SEED CASES: diagnoses recordings of machines drawn from the priors of
+// rubdata, with the candidates in turn. It works like rubdiagnose, with CASES motions per candidate. Prints
+// one CSV line per recording: the truth, the probabilities, and the ranks of the true numbers in their
+// posterior distributions. Machines, motions and readings come from rubdata, whose code the diagnosis does
+// not use.
 
 #include <fmt/format.h>
 
@@ -119,9 +119,7 @@ std::vector<Quantity> asked_quantities() {
 void print_header() {
   std::string line = "machine,truth,motion_class,order,sampling_rate_hz,probes,speed_ratio";
   for (const diagnose::Cause cause : diagnose::all_causes) line += fmt::format(",{}", to_string(cause));
-  line += ",none,p_value,rounds,sharpness,motions,rule,nearest,share_of_nearest";
-  for (const diagnose::Cause cause : diagnose::all_causes)
-    line += fmt::format(",{}_before_rounds", to_string(cause));
+  line += ",none,p_value,sharpness,motions,rule,nearest,share_of_nearest";
   line += ",effective_cases";
   for (const Quantity quantity : asked_quantities())
     line += fmt::format(",rank_of_{}", diagnose::inference::to_string(quantity));
@@ -171,11 +169,9 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
   std::string line = fmt::format("{},{},{},{},{},{},{:.3f}", machine, truth.cause, truth.motion_class,
                                  truth.order, studied.sampling_rate_hz, studied.probes, studied.speed_ratio);
   for (const double p : diagnosis.posterior.probability) line += fmt::format(",{:.4f}", p);
-  line += fmt::format(",{:.4f},{:.4f},{},{:.3f},{},{},{},{:.3f}", clipped ? 1 : diagnosis.posterior.none,
-                      diagnosis.p_value, diagnosis.history.size() - 1, diagnosis.posterior.sharpness,
-                      diagnosis.set.cases.size(), to_string(by_rule(seen)), problem.candidates[nearest].name,
-                      share);
-  for (const double p : diagnosis.history.front()) line += fmt::format(",{:.4f}", p);
+  line += fmt::format(",{:.4f},{:.4f},{:.3f},{},{},{},{:.3f}", clipped ? 1 : diagnosis.posterior.none,
+                      diagnosis.p_value, diagnosis.posterior.sharpness, diagnosis.set.cases.size(),
+                      to_string(by_rule(seen)), problem.candidates[nearest].name, share);
   line += columns_of_numbers(diagnosis, truth, random_ranks);
   fmt::print("{}\n", line);
   std::fflush(stdout);
@@ -204,14 +200,13 @@ dataset::LabelledRecording draw_foreign(Foreign cause, const StudiedMachine& stu
   return labelled;
 }
 
-void run(std::size_t machine, std::uint64_t seed, int cases, int rounds) {
+void run(std::size_t machine, std::uint64_t seed, int cases) {
   std::mt19937_64 random(seed * 1'000'003 + machine);
   const StudiedMachine studied = draw_studied(machine, random);
   const diagnose::inference::DiagnosisProblem problem = problem_of(studied, random(), random);
   diagnose::inference::DiagnosisOptions options;
   options.cases.cases_per_candidate = cases;
   options.cases.threads = 1;
-  options.most_rounds = rounds;
   options.with_standard_error = false;
   const diagnose::inference::CaseSet set = prior_cases(problem, options.cases);
   std::mt19937_64 random_ranks(~(seed * 1'000'003 + machine));
@@ -239,9 +234,9 @@ void run(std::size_t machine, std::uint64_t seed, int cases, int rounds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 6) return 1;
+  if (argc < 5) return 1;
   const auto number = [&](int k) { return static_cast<std::size_t>(std::strtoul(argv[k], nullptr, 10)); };
   print_header();
   for (std::size_t machine = number(1); machine < number(1) + number(2); ++machine)
-    run(machine, number(3), static_cast<int>(number(4)), static_cast<int>(number(5)));
+    run(machine, number(3), static_cast<int>(number(4)));
 }

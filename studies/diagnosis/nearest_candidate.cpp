@@ -23,7 +23,7 @@ std::pair<std::size_t, double> nearest_candidate(const features::DescribedMotion
   for (Eigen::Index i = 0; i < all.rows(); ++i) {
     const inference::SimulatedCase& one = diagnosis.set.cases[static_cast<std::size_t>(i)];
     const double density = density_of_size(problem, one, diagnosis.observed.size_m(i), seen.size_m);
-    if (!one.proposed && density > 0)
+    if (density > 0)
       cases.push_back(
           {((all.row(i) - here).array() / spread.array()).square().sum(), density, one.candidate});
   }

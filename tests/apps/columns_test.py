@@ -117,7 +117,7 @@ class ColumnsTest(unittest.TestCase):
         shutil.copyfile(rubbing, cls.work / "run.csv")
         shutil.copyfile(cls.work / "set/instrument.yaml", cls.work / "run.yaml")
         cls.program("rubscope", "run.csv", "--compare", minimal, "--cell", "60,0.9", "--output", "rubscope/a", allowed=(0, 2))
-        cls.program("rubdiagnose", "run.csv", "--machine", minimal, "--motions", 50, "--rounds", 1, "--output", "rubdiagnose/a")
+        cls.program("rubdiagnose", "run.csv", "--machine", minimal, "--motions", 50, "--output", "rubdiagnose/a")
         cls.program("rubfit", minimal, "--set", "rotor.natural_frequency_hz=31", "--ring-down", "rubtrace/free/sensors.csv",
                     "--from-s", 0.006, "--fit", "rotor.natural_frequency_hz", "--fit", "hit_s=-0.002:0.002", "--output", "rubfit/a")
 

@@ -40,10 +40,10 @@ candidates:
   - {kind: annular, exponent: 1}
   - {kind: annular_offset, exponent: 1}
 END
-quick=("${usual[@]}" --rounds 1 --candidates springs.yaml)
-# Where the answer does not matter: two candidates, and no round.
+quick=("${usual[@]}" --candidates springs.yaml)
+# Where the answer does not matter: two candidates.
 echo 'candidates: [no_rub, {kind: one_side, exponent: 1}]' >two.yaml
-quickest=(run.csv --machine machine.yaml --motions 50 --rounds 0 --candidates two.yaml)
+quickest=(run.csv --machine machine.yaml --motions 50 --candidates two.yaml)
 files=(diagnosis.json lines.csv orbits.csv probabilities.csv)
 
 # The answer begins with how sure it is; tables are whole, and the JSON file says the same as they do.
@@ -90,10 +90,10 @@ expect_exit 0 "${quick[@]}" --output three --threads 2 --table other_table --qui
 diff -r one three || fail 'another number of threads, other bytes'
 expect_same good.cases "other_table/${kept##*/}"
 # The usual candidates, half of which are no springs, have the same bytes from the shipped list.
-expect_exit 0 "${usual[@]}" --rounds 0 --output usual --table usual_cases --quiet --threads 1
-expect_exit 0 "${usual[@]}" --candidates springs.yaml --rounds 0 --output springs --quiet
+expect_exit 0 "${usual[@]}" --output usual --table usual_cases --quiet --threads 1
+expect_exit 0 "${usual[@]}" --candidates springs.yaml --output springs --quiet
 cmp -s springs/diagnosis.json usual/diagnosis.json && fail 'the usual candidates are springs'
-expect_exit 0 "${usual[@]}" --rounds 0 --output listed --table usual_cases --candidates "$top/configs/recordings/candidates.yaml" --quiet
+expect_exit 0 "${usual[@]}" --output listed --table usual_cases --candidates "$top/configs/recordings/candidates.yaml" --quiet
 [[ $(find usual_cases -name '*.cases' | wc -l) == 1 ]] || fail 'the shipped list is not the usual one'
 # The heads of the tables differ: they have the digest of all that was read.
 expect_same usual/diagnosis.json listed/diagnosis.json
@@ -168,7 +168,7 @@ END
 cat >places.yaml <<'END'
 candidates: [no_rub, {kind: one_side, position_m: [0.1, 0.3], whirl_ratio: [0.8, 1.6], exponent: 1}]
 END
-kit=(run.csv --machine fit/config.yaml --candidates places.yaml --motions 50 --rounds 0)
+kit=(run.csv --machine fit/config.yaml --candidates places.yaml --motions 50)
 expect_exit 0 "${kit[@]}" --output kit
 expect_contains stdout 'rotor: no intervals are known, 1 % of the natural frequencies'
 expect_matches stdout '^  position +0\.[12][0-9]* m, 95 % from 0\.[12]'

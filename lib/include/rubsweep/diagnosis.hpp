@@ -23,7 +23,7 @@
 /// const auto answer =
 ///     diagnosis::diagnose_recording(circle, instrument, {.name = "circle", .machine =
 ///     "configs/minimal.yaml"},
-///                                   {.motions = 40, .rounds = 0});  // few, for a quick look
+///                                   {.motions = 40});  // few, for a quick look
 /// if (answer) std::puts(diagnose::answer::answer_text(*answer).c_str());
 /// ```
 

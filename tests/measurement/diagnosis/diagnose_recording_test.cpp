@@ -88,8 +88,7 @@ TEST(DiagnoseRecording, ACircleIsNoRubAndKeptMotionsGiveTheSameAnswer) {
   DiagnosisQuestions questions{.name = "run.csv", .machine = file.path};
   questions.candidates.candidates.resize(2);
   questions.candidates.prior = {0.5, 0.5};
-  DiagnosisEffort effort{
-      .motions = 25, .rounds = 0, .threads = 1, .kept_motions = file.temporary.path() / "kept"};
+  DiagnosisEffort effort{.motions = 25, .threads = 1, .kept_motions = file.temporary.path() / "kept"};
   std::filesystem::create_directory(effort.kept_motions);
   const RecordedProblem problem = recorded(circle(20), questions);
   EXPECT_FALSE(kept_motions(problem, effort));
@@ -102,6 +101,20 @@ TEST(DiagnoseRecording, ACircleIsNoRubAndKeptMotionsGiveTheSameAnswer) {
   ASSERT_EQ(first->candidates.size(), second->candidates.size());
   for (std::size_t k = 0; k < first->candidates.size(); ++k)
     EXPECT_EQ(first->candidates[k].probability, second->candidates[k].probability);
+}
+
+TEST(DiagnoseRecording, ARoundMeansMoreMotions) {
+  const MachineFile file;
+  DiagnosisQuestions questions{.name = "run.csv", .machine = file.path};
+  questions.candidates.candidates.resize(1);
+  questions.candidates.prior = {1};
+  DiagnosisEffort effort{.motions = 5, .rounds = 1, .kept_motions = file.temporary.path() / "kept"};
+  const RecordedProblem problem = recorded(circle(20), questions);
+  EXPECT_GE(simulated_motions(problem, effort).cases.size(), 165U);
+  effort.rounds = 0;
+  EXPECT_FALSE(kept_motions(problem, effort));
+  effort.motions = 165;
+  EXPECT_TRUE(kept_motions(problem, effort));
 }
 
 /// Probability of no rub against one flat stop, for a circle with a small free vibration that no rub caused.
@@ -118,8 +131,7 @@ double probability_of_no_rub(double share, double free_vibration_of_cases) {
   questions.candidates.candidates.resize(2);
   questions.candidates.prior = {0.5, 0.5};
   questions.candidates.measuring.free_vibration = free_vibration_of_cases;
-  const auto answer =
-      diagnose_recording(std::move(recording), two_probes, questions, {.motions = 400, .rounds = 0});
+  const auto answer = diagnose_recording(std::move(recording), two_probes, questions, {.motions = 400});
   for (const diagnose::answer::CandidateAnswer& candidate : answer->candidates)
     if (candidate.name == "no_rub") return candidate.probability;
   return 0;
@@ -130,7 +142,7 @@ TEST(DiagnoseRecording, ASmallFreeVibrationIsNoRub) {
   EXPECT_GT(expected, 0.7);
   EXPECT_GT(expected / (1 - expected), 3 * unexpected / (1 - unexpected));
   // A vibration of 10 % is larger than what is left of a start.
-  EXPECT_LT(probability_of_no_rub(0.1, 0.01), 0.3);
+  EXPECT_LT(probability_of_no_rub(0.1, 0.01), 0.5);
 }
 
 }  // namespace

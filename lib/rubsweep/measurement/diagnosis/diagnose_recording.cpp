@@ -40,7 +40,7 @@ void tell_machine(const DiagnosedMachine& machine, const std::string& list,
 }
 
 inference::CaseOptions case_options(const DiagnosisEffort& effort) {
-  return {.cases_per_candidate = effort.motions,
+  return {.cases_per_candidate = effort.motions + effort.rounds * motions_per_round,
           .threads = effort.threads,
           .stop = effort.stop,
           .on_cases = effort.on_motions};
@@ -121,8 +121,8 @@ std::optional<diagnose::answer::Answer> answer_of(const RecordedProblem& recorde
   response::spectrum::SpectrumWorkspace workspace;
   const diagnose::features::DescribedMotion seen =
       diagnose::features::describe(lines, inference::view_of(problem.measuring), workspace);
-  inference::DiagnosisOptions options{.cases = case_options(effort), .most_rounds = effort.rounds};
-  const inference::Diagnosis diagnosis = inference::diagnose(problem, seen, options, std::move(motions));
+  const inference::Diagnosis diagnosis =
+      inference::diagnose(problem, seen, {.cases = case_options(effort)}, std::move(motions));
   auto next = is_stopped(effort) ? std::vector<inference::NextMeasurement>{}
                                  : inference::next_measurements(problem, diagnosis, effort.threads);
   diagnose::answer::RecordingFacts facts{.name = name,

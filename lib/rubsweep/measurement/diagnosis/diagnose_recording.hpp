@@ -45,10 +45,13 @@ RecordedProblem recorded_problem(DiagnosedMachine machine, recording::Recording 
                                  const recording::Instrument& instrument,
                                  const DiagnosisQuestions& questions);
 
+/// Motions per candidate instead of one round of an earlier version, which drew them near the likeliest ones.
+inline constexpr int motions_per_round = 160;
+
 /// Effort of a diagnosis.
 struct DiagnosisEffort {
   int motions = 600;                     ///< motions drawn from the priors, per candidate
-  int rounds = 3;                        ///< most rounds with draws near motions that resemble the recording
+  int rounds = 0;                        ///< each means motions_per_round more motions per candidate
   int threads = 0;                       ///< 0: all processors; does not change the result
   const std::atomic<bool>* stop{};       ///< true: no new draw begins
   std::filesystem::path kept_motions{};  ///< directory that keeps motions between calls; empty: none

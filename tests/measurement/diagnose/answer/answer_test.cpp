@@ -23,7 +23,6 @@ Answer answer_to_case(std::size_t candidate, RecordingFacts facts = {}) {
   const features::DescribedMotion seen =
       inference::observe(problem, inference::small_set().cases[i], i, workspace).seen;
   inference::DiagnosisOptions options;
-  options.most_rounds = 0;
   const Diagnosis diagnosis = inference::diagnose(problem, seen, options, inference::small_set());
   const MotionLines recorded =
       up_to(inference::small_set().cases[i].motion.lines, inference::seen_order(problem.measuring));
@@ -58,7 +57,6 @@ TEST(Answer, ComparesNoFeaturesWithACandidateWithoutCases) {
   inference::CaseSet stops_alone = inference::small_set();
   std::erase_if(stops_alone.cases, [](const auto& one) { return one.candidate == 0; });
   inference::DiagnosisOptions options;
-  options.most_rounds = 0;
   const features::DescribedMotion seen = inference::recorded_case(1, 51);
   const Diagnosis diagnosis = inference::diagnose(problem, seen, options, stops_alone);
   const Answer answer =

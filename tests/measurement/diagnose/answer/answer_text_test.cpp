@@ -36,7 +36,7 @@ TEST(AnswerTextAnswerJson, SaysAllThatIsKnown) {
   EXPECT_DOUBLE_EQ(root["candidates"][0]["probability"], 0.9);
   EXPECT_DOUBLE_EQ(root["candidates"][0]["numbers"]["clearance_m"]["high_95"], 3e-4);
   EXPECT_DOUBLE_EQ(root["none_of_these"]["p_value"], 0.37);
-  EXPECT_EQ(root["simulations"]["stands_still"], true);
+  EXPECT_EQ(root["simulations"]["interrupted"], false);
   EXPECT_EQ(root["deciding_features"][0]["name"], "energy at 1X");
   EXPECT_EQ(root["best_motions"][0]["candidate"], "one_side");
   EXPECT_DOUBLE_EQ(root["next_measurements"][0]["information_bits"], 0.4);
@@ -108,7 +108,6 @@ TEST(AnswerText, SaysWhereAStopMayStandInAnyDirection) {
 TEST(AnswerText, SaysThatItWasInterrupted) {
   Answer answer = small_answer();
   answer.interrupted = true;
-  answer.stands_still = false;
   answer.candidates[0].standard_error = 0.061;
   const std::string text = answer_text(answer);
   EXPECT_NE(text.find("interrupted"), std::string::npos);

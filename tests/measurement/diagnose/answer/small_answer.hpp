@@ -22,8 +22,6 @@ inline Answer small_answer() {
                        {"annular", Cause::annular, 0.06, {}}};
   answer.none = 0.04;
   answer.p_value = 0.37;
-  answer.stands_still = true;
-  answer.rounds = 2;
   answer.cases = 3000;
   answer.deciding = {{"energy at 1X", -0.1, -0.2, 0.1, -2, 0.5, 12}};
   answer.best = {{"one_side", lay_over(small_motion(), small_motion(), true)}};

@@ -189,8 +189,7 @@ TEST(CandidateMarginals, CountRanksByTheirWeights) {
 
 /// Marginals for the candidate with a stop, from a recording of a case outside the set.
 std::vector<QuantityMarginal> marginals_of_a_stop(std::uint64_t seed, int threads = 0) {
-  ObservedCases observed;
-  observe_cases(small_problem(), small_set(), 0, observed);
+  const ObservedCases observed = observed_cases(small_problem(), small_set(), 0);
   const features::DescribedMotion seen = recorded_case(1, seed);
   const Posterior posterior = posterior_of(small_problem(), small_set(), observed, seen, 0);
   return marginals_of(small_problem(), small_set(), observed, posterior, seen, 1, threads);
@@ -206,8 +205,7 @@ TEST(CandidateMarginals, AreThoseOfTheQuantitiesThatACandidateHas) {
     EXPECT_GE(marginal.probability_up_to(marginal.quantile(0.5)), 0.5) << to_string(quantity);
     EXPECT_LE(marginal.probability_below(marginal.quantile(0.5)), 0.5) << to_string(quantity);
   }
-  ObservedCases observed;
-  observe_cases(small_problem(), small_set(), 0, observed);
+  const ObservedCases observed = observed_cases(small_problem(), small_set(), 0);
   const features::DescribedMotion seen = recorded_case(0, 41);
   const Posterior posterior = posterior_of(small_problem(), small_set(), observed, seen, 0);
   EXPECT_TRUE(marginals_of(small_problem(), small_set(), observed, posterior, seen, 0, 0).empty());
@@ -225,15 +223,13 @@ TEST(CandidateMarginals, DoNotDependOnThreads) {
 /// that it was applied, and gives its parameter.
 TEST(CandidateMarginals, AreTransformedByTheRanksOfSimilarCases) {
   const DiagnosisProblem problem = small_problem();
-  ObservedCases observed;
-  observe_cases(problem, small_set(), 0, observed);
+  const ObservedCases observed = observed_cases(problem, small_set(), 0);
   const features::DescribedMotion seen = recorded_case(1, 43);
   const Posterior posterior = posterior_of(problem, small_set(), observed, seen, 0);
   std::vector<Eigen::Index> rows;
   for (std::size_t i = 0; i < small_set().cases.size(); ++i)
     if (small_set().cases[i].candidate == 1) rows.push_back(static_cast<Eigen::Index>(i));
-  const Eigen::VectorXd weight = posterior.weight(rows),
-                        prior = posterior.importance(rows).cwiseProduct(posterior.size_density(rows));
+  const Eigen::VectorXd weight = posterior.weight(rows), prior = posterior.size_density(rows);
   int moved = 0;
   for (const auto& [quantity, marginal] :
        marginals_of(problem, small_set(), observed, posterior, seen, 1, 0)) {

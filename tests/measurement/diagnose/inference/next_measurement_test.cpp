@@ -13,7 +13,7 @@ namespace {
 Diagnosis undecided(const DiagnosisProblem& problem) {
   Diagnosis diagnosis;
   diagnosis.set = small_set();
-  diagnosis.posterior.weight = importance_weights(problem, diagnosis.set);
+  diagnosis.posterior.weight = prior_weights(problem, diagnosis.set);
   diagnosis.posterior.probability = Eigen::Vector2d(0.5, 0.5);
   return diagnosis;
 }

@@ -10,8 +10,7 @@ namespace rubsweep::diagnose::inference {
 namespace {
 
 Posterior posterior_of_case(std::size_t candidate, const DiagnosisProblem& problem, int threads = 0) {
-  ObservedCases observed;
-  observe_cases(problem, small_set(), threads, observed);
+  const ObservedCases observed = observed_cases(problem, small_set(), threads);
   return posterior_of(problem, small_set(), observed, recorded_case(candidate, 11), threads);
 }
 
@@ -44,19 +43,41 @@ TEST(Posterior, OddsAreThoseOfEqualPriorsTimesThePriorOdds) {
   }
 }
 
+/// Likelihood ratios, odds over prior odds, are raised to the power.
+TEST(Posterior, WeakEvidenceLeavesMoreOfThePriors) {
+  DiagnosisProblem problem = small_problem();
+  problem.prior = {0.8, 0.2};
+  const ObservedCases observed = observed_cases(problem, small_set(), 0);
+  const auto answer = [&](double power) {
+    return posterior_of(problem, small_set(), observed, recorded_case(1, 11), 0, power);
+  };
+  const Posterior full = answer(1), half = answer(0.5), none = answer(0);
+  const auto ratio = [](const Posterior& p) { return p.probability(1) / p.probability(0) * 4; };
+  EXPECT_GT(ratio(full), 20);
+  EXPECT_NEAR(ratio(half) / std::sqrt(ratio(full)), 1, 1e-9);
+  EXPECT_NEAR(half.sharpness, full.sharpness / 2, 1e-12);
+  EXPECT_NEAR(none.probability(1), 0.2, 1e-12);
+  EXPECT_NEAR(none.none, 1.0 / 6, 1e-12);
+}
+
+TEST(Posterior, EvidenceOfARecordingThatResemblesNoCaseIsWeak) {
+  EXPECT_EQ(evidence_power_of(1), 1);
+  EXPECT_EQ(evidence_power_of(0.2), 1);
+  EXPECT_DOUBLE_EQ(evidence_power_of(0.1), 0.75);
+  EXPECT_EQ(evidence_power_of(0), 0.5);
+}
+
 TEST(PosteriorPValue, FindsNothingStrangeInACase) {
-  ObservedCases observed;
-  observe_cases(small_problem(), small_set(), 0, observed);
+  const ObservedCases observed = observed_cases(small_problem(), small_set(), 0);
   for (const std::size_t candidate : {0U, 1U})
-    EXPECT_GT(p_value_of(small_set(), observed, recorded_case(candidate, 11), 0), 0.01);
+    EXPECT_GT(p_value_of(observed, recorded_case(candidate, 11), 0), 0.01);
 }
 
 TEST(Posterior, ExcludesClearancesThatTheCandidateDoesNotHave) {
   DiagnosisProblem problem = small_problem();
   const double middle_m = simulated_clearance_m(problem.candidates[1]);
   problem.candidates[1].clearance_m = {middle_m / 1.5, middle_m * 1.5, true};
-  ObservedCases observed;
-  observe_cases(problem, small_set(), 0, observed);
+  const ObservedCases observed = observed_cases(problem, small_set(), 0);
   // A motion a hundred times larger requires a clearance a hundred times larger.
   features::DescribedMotion seen = recorded_case(1, 11);
   EXPECT_GT(posterior_of(problem, small_set(), observed, seen, 0).probability(1), 0.8);
@@ -69,8 +90,7 @@ TEST(Posterior, AQuietWhirlAsLargeAsManyClearancesIsNone) {
   problem.candidates[0].clearance_m = {1e-4, 2e-4, true};
   // With few cases a quiet whirl is hard to distinguish from similar vibrations of other causes.
   const CaseSet set = prior_cases(problem, {.cases_per_candidate = 400});
-  ObservedCases observed;
-  observe_cases(problem, set, 0, observed);
+  const ObservedCases observed = observed_cases(problem, set, 0);
   features::DescribedMotion seen = recorded_case(0, 11);
   const auto no_rub_at = [&](double size_m) {
     seen.size_m = size_m;
@@ -85,8 +105,7 @@ TEST(Posterior, AQuietWhirlAsLargeAsManyClearancesIsNone) {
 
 TEST(Posterior, AKnownUnbalanceTellsWhetherItExplainsTheSize) {
   DiagnosisProblem problem = small_problem();
-  ObservedCases observed;
-  observe_cases(problem, small_set(), 0, observed);
+  const ObservedCases observed = observed_cases(problem, small_set(), 0);
   const features::DescribedMotion quiet = recorded_case(0, 11);
   EXPECT_GT(posterior_of(problem, small_set(), observed, quiet, 0).probability(0), 0.8);
   // At r = 2.2 a Jeffcott rotor whirls with the radius e r^2 / (r^2 - 1), which is the root mean square of a
@@ -102,8 +121,7 @@ TEST(Posterior, AKnownUnbalanceTellsWhetherItExplainsTheSize) {
 
 TEST(Posterior, KnowsWhatIsNoneOfThem) {
   const DiagnosisProblem problem = small_problem();
-  ObservedCases observed;
-  observe_cases(problem, small_set(), 0, observed);
+  const ObservedCases observed = observed_cases(problem, small_set(), 0);
   // A strong line at 2X, and a backward line at 2.37X.
   MotionLines lines{12, Eigen::VectorXcd::Zero(2 * 96 + 1)};
   lines.at(12) = 1e-4;
@@ -123,8 +141,7 @@ TEST(Posterior, OtherCausesHaveAnySizeUpToThreeClearances) {
   // below.
   DiagnosisProblem problem = small_problem();
   for (Candidate& candidate : problem.candidates) candidate.clearance_m = {5e-6, 1e-2, true};
-  ObservedCases observed;
-  observe_cases(problem, small_set(), 0, observed);
+  const ObservedCases observed = observed_cases(problem, small_set(), 0);
   features::DescribedMotion seen = recorded_case(1, 11);
   // Share of none in the forest over that of one side: priors, power and the thousandth of a share are
   // undone.
@@ -143,17 +160,6 @@ TEST(Posterior, OtherCausesHaveAnySizeUpToThreeClearances) {
 
 TEST(Posterior, DoesNotDependOnThreads) {
   EXPECT_EQ(posterior_of_case(1, small_problem(), 1).weight, posterior_of_case(1, small_problem(), 3).weight);
-}
-
-TEST(Posterior, ObservesOnlyWhatIsNew) {
-  ObservedCases observed;
-  CaseSet set = small_set();
-  set.cases.resize(20);
-  observe_cases(small_problem(), set, 0, observed);
-  const Eigen::MatrixXd before = observed.features;
-  observe_cases(small_problem(), small_set(), 0, observed);
-  EXPECT_EQ(observed.features.topRows(20), before);
-  EXPECT_EQ(observed.features.rows(), static_cast<Eigen::Index>(small_set().cases.size()));
 }
 
 constexpr double case_size_m = 1e-4;

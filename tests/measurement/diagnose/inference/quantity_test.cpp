@@ -11,8 +11,7 @@ namespace {
 
 TEST(Quantity, OfACaseThatIsTheRecordingIsItsOwn) {
   const DiagnosisProblem problem = small_problem();
-  ObservedCases observed;
-  observe_cases(problem, small_set(), 0, observed);
+  const ObservedCases observed = observed_cases(problem, small_set(), 0);
   std::size_t i = 0;
   while (small_set().cases[i].candidate != 1) ++i;
   response::spectrum::SpectrumWorkspace workspace;
@@ -35,8 +34,7 @@ TEST(Quantity, AnExponentIsOneWhereItIsNotKnown) {
   EXPECT_TRUE(has_quantity(problem, 1, Quantity::exponent));
   EXPECT_FALSE(has_quantity(problem, 0, Quantity::exponent));
   CaseSet set = small_set();
-  ObservedCases observed;
-  observe_cases(problem, set, 0, observed);
+  const ObservedCases observed = observed_cases(problem, set, 0);
   for (SimulatedCase& one : set.cases) one.unit[static_cast<std::size_t>(Unknown::exponent)] = 0.5;
   const auto last = static_cast<Eigen::Index>(set.cases.size()) - 1;
   EXPECT_EQ(values_in_cases(problem, set, observed, recorded_case(1, 11), Quantity::exponent)(last), 1.5);

@@ -152,8 +152,6 @@ Answer answer_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
   answer.none = answer.clipped ? 1 : diagnosis.posterior.none;
   answer.p_value = diagnosis.p_value;
   answer.size_fits = diagnosis.posterior.weight.sum() > 0;
-  answer.stands_still = diagnosis.stands_still;
-  answer.rounds = static_cast<int>(diagnosis.history.size()) - 1;
   answer.cases = diagnosis.set.cases.size();
   std::vector<std::size_t> order(problem.candidates.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

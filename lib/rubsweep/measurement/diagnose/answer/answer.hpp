@@ -34,7 +34,7 @@ struct CandidateAnswer {
   double probability = 0;  ///< probability, with "none of these" among the alternatives
   std::vector<NumberInterval>
       numbers{};  ///< parameters if this is the cause; empty for no_rub, or if no case is similar
-  std::optional<double> standard_error{};  ///< empty where more motions would not change the probability
+  std::optional<double> standard_error{};  ///< empty where a probe is clipped
 };
 
 /// A feature of the recording, with its weighted mean and spread in the cases of both likeliest candidates.
@@ -67,8 +67,7 @@ struct Answer {
   std::optional<double> none_standard_error{};
   bool size_fits = true;  ///< whether at least one simulated motion can have the size of the recording
   bool clipped = false;   ///< a probe saturates; no rotor motion explains that, so `none` is 1
-  bool stands_still = false, interrupted = false;
-  int rounds = 0;
+  bool interrupted = false;
   std::size_t cases = 0;
   std::vector<DecidingFeature> deciding{};
   std::vector<BestMotion> best{};

@@ -78,15 +78,15 @@ std::string number_text(const NumberInterval& number, const model::ShownLengths&
 }
 
 std::string trust_line(const Answer& answer) {
-  std::string text = fmt::format(
-      "  {} simulated motions, {} {} of draws near those that resemble the recording; the probabilities {}\n",
-      answer.cases, answer.rounds, answer.rounds == 1 ? "round" : "rounds",
-      answer.stands_still ? "stand still"
-                          : "still moved by 3 % or more; +-: standard errors for want of motions");
+  std::string text =
+      fmt::format("  {} simulated motions; +-: standard errors for want of motions\n", answer.cases);
   if (answer.interrupted) text += "  interrupted: an answer by the motions simulated so far\n";
   const long as_far = std::lround(100 * answer.p_value);
-  return text + fmt::format("  of 100 simulated recordings {} {} as far from all others as this one\n",
-                            as_far, as_far == 1 ? "lies" : "lie");
+  return text + fmt::format("  of 100 simulated recordings {} {} as far from all others as this one{}\n",
+                            as_far, as_far == 1 ? "lies" : "lie",
+                            inference::evidence_power_of(answer.p_value) < 1
+                                ? ": the answer is less sure for it"
+                                : "");
 }
 
 /// Signs of other causes; a rub that is more likely than all others together has no need of them.
@@ -166,10 +166,7 @@ std::string answer_json(const Answer& answer) {
                            {"standard_error", number_or_null(answer.none_standard_error)},
                            {"p_value", answer.p_value},
                            {"clipped", answer.clipped}};
-  root["simulations"] = {{"motions", answer.cases},
-                         {"rounds", answer.rounds},
-                         {"stands_still", answer.stands_still},
-                         {"interrupted", answer.interrupted}};
+  root["simulations"] = {{"motions", answer.cases}, {"interrupted", answer.interrupted}};
   root["deciding_features"] = Json::array();
   for (const DecidingFeature& feature : answer.deciding)
     root["deciding_features"].push_back({{"name", feature.name},

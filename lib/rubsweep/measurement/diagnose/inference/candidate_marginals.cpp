@@ -203,7 +203,7 @@ std::vector<QuantityMarginal> marginals_of(const DiagnosisProblem& problem, cons
     if (set.cases[i].candidate == candidate) rows.push_back(static_cast<Eigen::Index>(i));
   const Eigen::VectorXd weight = posterior.weight(rows);
   if (weight.sum() == 0) return {};
-  const Eigen::VectorXd prior = posterior.importance(rows).cwiseProduct(posterior.size_density(rows));
+  const Eigen::VectorXd prior = posterior.size_density(rows);
   std::vector<QuantityCases> quantities;
   for (const Quantity quantity : all_quantities)
     if (has_quantity(problem, candidate, quantity))

@@ -17,14 +17,11 @@ namespace rubsweep::diagnose::inference {
 /// the answer from all cases.
 Eigen::VectorXd sampling_errors(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
-                                const Posterior& posterior, int threads);
+                                const Posterior& posterior, int threads, double evidence_power = 1);
 
 struct DiagnosisOptions {
   CaseOptions cases{};
-  int most_rounds = 3;              ///< rounds of draws near cases that resemble the recording
-  int draws_per_round = 800;        ///< draws per round, for all candidates together
-  bool with_standard_error = true;  ///< computes standard errors where the probabilities still change
-  double least_change = 0.03;       ///< a smaller change of all probabilities ends the rounds
+  bool with_standard_error = true;
 };
 
 /// Result of a diagnosis with everything it is based on.
@@ -33,16 +30,12 @@ struct Diagnosis {
   ObservedCases observed{};
   Posterior posterior{};                                   ///< posterior; at the end its forest is deleted
   std::vector<std::vector<QuantityMarginal>> marginals{};  ///< marginals_of for every candidate
-  std::vector<Eigen::VectorXd> history{};  ///< probabilities of the candidates after each round
-  double p_value = 1;                      ///< result of p_value_of
-  bool stands_still = false;  ///< whether the last round changed no probability by least_change or more
-  Eigen::VectorXd standard_error{};  ///< sampling_errors; empty if the probabilities no longer change
+  double p_value = 1;                                      ///< result of p_value_of
+  Eigen::VectorXd standard_error{};                        ///< sampling_errors; empty if not asked for
 };
 
-/// Compares a recording with simulated cases of all candidates. The first cases are drawn from the priors (or
-/// are those of `set`, if given). Later cases are drawn near those that resemble the recording, until the
-/// probabilities settle (population Monte Carlo; Cappé et al. 2004). An interrupted diagnosis answers from
-/// the cases drawn so far.
+/// Compares a recording with cases of all candidates that were drawn from the priors (those of `set`, if
+/// given). An interrupted diagnosis answers from the cases drawn so far.
 Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMotion& seen,
                    const DiagnosisOptions& options, std::optional<CaseSet> set = {});
 

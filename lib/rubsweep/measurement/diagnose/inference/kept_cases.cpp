@@ -97,8 +97,6 @@ std::string cases_digest(const DiagnosisProblem& problem, const CaseOptions& opt
 
 void keep_cases(const std::filesystem::path& directory, const std::string& digest, const CaseSet& set) {
   std::string body;
-  put(body, static_cast<std::uint64_t>(set.draws.size()));
-  for (const Draws& draws : set.draws) put(body, static_cast<std::int64_t>(draws.count));
   put(body, static_cast<std::uint64_t>(set.cases.size()));
   for (const SimulatedCase& one : set.cases) put_case(one, body);
   std::error_code error;
@@ -119,9 +117,6 @@ std::optional<CaseSet> kept_cases(const std::filesystem::path& directory, const 
   try {
     matlab::Bytes numbers(body, false);
     CaseSet set;
-    if (numbers.number<std::uint64_t>() != problem.candidates.size()) return std::nullopt;
-    for (std::size_t c = 0; c < problem.candidates.size(); ++c)
-      set.draws.push_back({c, static_cast<long>(numbers.number<std::int64_t>()), std::nullopt});
     for (auto left = numbers.number<std::uint64_t>(); left > 0; --left)
       set.cases.push_back(get_case(numbers, problem.turns));
     if (numbers.left() == 0) return set;

@@ -111,20 +111,12 @@ forest::LabelledSamples samples_of(const DiagnosisProblem& problem, const CaseSe
                                   Eigen::VectorXd(cases + others),
                                   candidates + 1};
   samples.features << observed.features, observed.of_other_causes;
-  samples.weight.head(cases) = importance_weights(problem, set);
+  samples.weight.head(cases) = prior_weights(problem, set);
   samples.weight.tail(others).setConstant(1 / static_cast<double>(others));
   samples.weight /= samples.classes;
   for (const SimulatedCase& one : set.cases) samples.label.push_back(static_cast<int>(one.candidate));
   samples.label.resize(static_cast<std::size_t>(cases + others), candidates);
   return samples;
-}
-
-/// Feature rows of the cases that were drawn from the priors.
-Eigen::MatrixXd rows_of_priors(const CaseSet& set, const Eigen::MatrixXd& features) {
-  std::vector<Eigen::Index> rows;
-  for (std::size_t i = 0; i < set.cases.size(); ++i)
-    if (!set.cases[i].proposed) rows.push_back(static_cast<Eigen::Index>(i));
-  return features(rows, Eigen::all);
 }
 
 }  // namespace
@@ -145,34 +137,32 @@ double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one
   return density * decades(clearances) / decades(eccentricities);
 }
 
-void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads,
-                   ObservedCases& observed) {
-  if (observed.of_other_causes.rows() == 0 && !set.cases.empty())
-    observed.of_other_causes =
-        features_of_other_causes(problem, set.cases.size() / problem.candidates.size() + 1, threads);
-  const auto before = static_cast<std::size_t>(observed.features.rows());
-  const std::size_t added = set.cases.size() - before;
-  if (added == 0) return;
-  std::vector<ObservedCase> seen(added);
-  batch::parallel_run(added, threads, [&](std::size_t k) {
+ObservedCases observed_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads) {
+  std::vector<ObservedCase> seen(set.cases.size());
+  batch::parallel_run(seen.size(), threads, [&](std::size_t i) {
     thread_local response::spectrum::SpectrumWorkspace workspace;
-    seen[k] = observe(problem, set.cases[before + k], before + k, workspace);
+    seen[i] = observe(problem, set.cases[i], i, workspace);
   });
-  const auto all = static_cast<Eigen::Index>(set.cases.size());
-  observed.features.conservativeResize(all, static_cast<Eigen::Index>(seen.front().seen.features.size()));
+  ObservedCases observed;
+  if (seen.empty()) return observed;
+  observed.of_other_causes =
+      features_of_other_causes(problem, seen.size() / problem.candidates.size() + 1, threads);
+  const auto all = static_cast<Eigen::Index>(seen.size());
+  observed.features.resize(all, static_cast<Eigen::Index>(seen.front().seen.features.size()));
   for (auto* column : {&observed.size_m, &observed.direction_rad, &observed.probe_angle_rad})
-    column->conservativeResize(all);
-  for (std::size_t k = 0; k < added; ++k) {
-    const auto row = static_cast<Eigen::Index>(before + k);
-    observed.features.row(row) = features::values_of(seen[k].seen.features).transpose();
-    observed.size_m(row) = seen[k].seen.size_m;
-    observed.direction_rad(row) = seen[k].seen.direction_rad;
-    observed.probe_angle_rad(row) = seen[k].probe_angle_rad;
+    column->resize(all);
+  for (Eigen::Index row = 0; row < all; ++row) {
+    const auto& [described, probe_angle_rad] = seen[static_cast<std::size_t>(row)];
+    observed.features.row(row) = features::values_of(described.features).transpose();
+    observed.size_m(row) = described.size_m;
+    observed.direction_rad(row) = described.direction_rad;
+    observed.probe_angle_rad(row) = probe_angle_rad;
   }
+  return observed;
 }
 
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
-                       const features::DescribedMotion& seen, int threads) {
+                       const features::DescribedMotion& seen, int threads, double evidence_power) {
   const forest::LabelledSamples samples = samples_of(problem, set, observed);
   const Eigen::VectorXd here = features::values_of(seen.features);
   Posterior posterior;
@@ -180,7 +170,6 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
       samples, forest::ForestOptions{.seed = problem.seed, .threads = threads});
   Eigen::VectorXd weight = posterior.forest->posterior_weights(here);
   const auto cases = static_cast<Eigen::Index>(set.cases.size());
-  posterior.importance = samples.weight.head(cases);
   posterior.size_density.resize(cases);
   for (Eigen::Index i = 0; i < cases; ++i)
     posterior.size_density(i) =
@@ -192,8 +181,8 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
     share(samples.label[static_cast<std::size_t>(i)]) += weight(i);
   // The recording resembles neither a case nor a vibration of another cause, so it counts as "none of these".
   if (share.sum() == 0) share(samples.classes - 1) = 1;
-  posterior.sharpness =
-      best_sharpness(posterior.forest->out_of_bag_probabilities(), samples.label, samples.weight);
+  posterior.sharpness = evidence_power * best_sharpness(posterior.forest->out_of_bag_probabilities(),
+                                                        samples.label, samples.weight);
   Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness);
   for (std::size_t c = 0; c < problem.prior.size(); ++c)
     all(static_cast<Eigen::Index>(c)) *= (1 - prior_of_none) * problem.prior[c];
@@ -210,10 +199,13 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   return posterior;
 }
 
-double p_value_of(const CaseSet& set, const ObservedCases& observed, const features::DescribedMotion& seen,
-                  int threads) {
-  return forest::Novelty(rows_of_priors(set, observed.features), threads)
-      .p_value(features::values_of(seen.features));
+double p_value_of(const ObservedCases& observed, const features::DescribedMotion& seen, int threads) {
+  return forest::Novelty(observed.features, threads).p_value(features::values_of(seen.features));
+}
+
+double evidence_power_of(double p_value) {
+  constexpr double usual = 0.2, least = 0.5;
+  return least + (1 - least) * std::min(1.0, p_value / usual);
 }
 
 }  // namespace rubsweep::diagnose::inference

@@ -21,11 +21,10 @@ double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one
 struct Posterior {
   Eigen::VectorXd probability{};  ///< probability of every candidate, provided that one of them is the cause
   Eigen::VectorXd weight{};  ///< weight of every case; the weights of a candidate add up to its probability
-  Eigen::VectorXd importance{};    ///< weight of every case, proportional to importance_weights
-  Eigen::VectorXd size_density{};  ///< density_of_size of every case
+  Eigen::VectorXd size_density{};                  ///< density_of_size of every case
   std::shared_ptr<const forest::Forest> forest{};  ///< forest that gave the weights
   double none = 0;                                 ///< probability that none of the candidates is the cause
-  double sharpness = 1;  ///< power that calibrates the probabilities (see best_sharpness)
+  double sharpness = 1;  ///< power of the forest's shares: best_sharpness times evidence_power
 };
 
 /// Cases as the instrument measures them, one row of features per case.
@@ -35,19 +34,21 @@ struct ObservedCases {
   Eigen::MatrixXd of_other_causes{};  ///< features of vibrations of other causes, one row each
 };
 
-/// Observes the cases that are not yet in `observed`. The first call also observes vibrations of other
-/// causes, as many as a candidate has cases.
-void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads, ObservedCases& observed);
+/// Observes all cases, and vibrations of other causes, as many as a candidate has cases.
+ObservedCases observed_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads);
 
 /// Posterior from a forest in which vibrations of other causes form one more class. The forest compares
 /// classes as if they were equally likely; its probabilities are then multiplied by the priors (Bayes'
-/// theorem).
+/// theorem). `evidence_power`: further power of the forest's shares, see evidence_power_of.
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
-                       const features::DescribedMotion& seen, int threads);
+                       const features::DescribedMotion& seen, int threads, double evidence_power = 1);
 
 /// Share of the simulated cases whose apartness is at least that of the recording (forest::Novelty). This
 /// check does not depend on the posterior.
-double p_value_of(const CaseSet& set, const ObservedCases& observed, const features::DescribedMotion& seen,
-                  int threads);
+double p_value_of(const ObservedCases& observed, const features::DescribedMotion& seen, int threads);
+
+/// Power of the likelihoods of a recording with this p-value: from 1 at 0.2 or more to 1/2 at 0. A recording
+/// that hardly any case resembles is weak evidence for each cause (coarsened posterior; Miller, Dunson 2019).
+double evidence_power_of(double p_value);
 
 }  // namespace rubsweep::diagnose::inference

@@ -43,7 +43,6 @@ struct SimulatedCase {
   std::size_t candidate = 0;
   Point unit{};  ///< place of its unknowns in the unit cube
   LastingMotion motion{};
-  bool proposed = false;  ///< whether it was drawn near cases that resemble a recording, not from priors
 };
 
 /// Clearance at which cases are simulated: geometric mean of the candidate's bounds, m.
