@@ -169,6 +169,13 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   posterior.forest = std::make_shared<const forest::Forest>(
       samples, forest::ForestOptions{.seed = problem.seed, .threads = threads});
   Eigen::VectorXd weight = posterior.forest->posterior_weights(here);
+  const auto shares_of_classes = [&] {
+    Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
+    for (Eigen::Index i = 0; i < weight.size(); ++i)
+      share(samples.label[static_cast<std::size_t>(i)]) += weight(i);
+    return share;
+  };
+  const Eigen::RowVectorXd likeness = shares_of_classes();
   const auto cases = static_cast<Eigen::Index>(set.cases.size());
   posterior.size_density.resize(cases);
   for (Eigen::Index i = 0; i < cases; ++i)
@@ -176,14 +183,14 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
         density_of_size(problem, set.cases[static_cast<std::size_t>(i)], observed.size_m(i), seen.size_m);
   weight.head(cases).array() *= posterior.size_density.array();
   weight.tail(weight.size() - cases) *= density_of_another_cause(problem, seen.size_m);
-  Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
-  for (Eigen::Index i = 0; i < weight.size(); ++i)
-    share(samples.label[static_cast<std::size_t>(i)]) += weight(i);
+  Eigen::RowVectorXd share = shares_of_classes();
   // The recording resembles neither a case nor a vibration of another cause, so it counts as "none of these".
   if (share.sum() == 0) share(samples.classes - 1) = 1;
-  posterior.sharpness = evidence_power * best_sharpness(posterior.forest->out_of_bag_probabilities(),
-                                                        samples.label, samples.weight);
+  posterior.sharpness =
+      best_sharpness(posterior.forest->out_of_bag_probabilities(), samples.label, samples.weight);
   Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness);
+  // A size that excludes a cause does so however weak the evidence of the features is.
+  all.array() *= (likeness.array() + least_probability).pow(posterior.sharpness * (evidence_power - 1));
   for (std::size_t c = 0; c < problem.prior.size(); ++c)
     all(static_cast<Eigen::Index>(c)) *= (1 - prior_of_none) * problem.prior[c];
   all(samples.classes - 1) *= prior_of_none;

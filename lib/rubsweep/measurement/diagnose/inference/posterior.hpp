@@ -24,7 +24,7 @@ struct Posterior {
   Eigen::VectorXd size_density{};                  ///< density_of_size of every case
   std::shared_ptr<const forest::Forest> forest{};  ///< forest that gave the weights
   double none = 0;                                 ///< probability that none of the candidates is the cause
-  double sharpness = 1;  ///< power of the forest's shares: best_sharpness times evidence_power
+  double sharpness = 1;  ///< power that calibrates the probabilities (see best_sharpness)
 };
 
 /// Cases as the instrument measures them, one row of features per case.
@@ -39,7 +39,7 @@ ObservedCases observed_cases(const DiagnosisProblem& problem, const CaseSet& set
 
 /// Posterior from a forest in which vibrations of other causes form one more class. The forest compares
 /// classes as if they were equally likely; its probabilities are then multiplied by the priors (Bayes'
-/// theorem). `evidence_power`: further power of the forest's shares, see evidence_power_of.
+/// theorem). `evidence_power`: further power of the likelihoods by the features, see evidence_power_of.
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
                        const features::DescribedMotion& seen, int threads, double evidence_power = 1);
 
