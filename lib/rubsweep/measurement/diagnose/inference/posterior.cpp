@@ -189,8 +189,8 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   posterior.sharpness =
       best_sharpness(posterior.forest->out_of_bag_probabilities(), samples.label, samples.weight);
   Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness * evidence_power);
-  // A size that excludes a cause does so however weak the evidence of the features is.
-  for (Eigen::Index c = 0; c < all.size(); ++c)
+  // A size that excludes a candidate does so however weak the evidence of the features is.
+  for (Eigen::Index c = 0; c + 1 < all.size(); ++c)
     if (share(c) == 0 && likeness(c) > 0) all(c) = std::pow(all(c), 1 / evidence_power);
   for (std::size_t c = 0; c < problem.prior.size(); ++c)
     all(static_cast<Eigen::Index>(c)) *= (1 - prior_of_none) * problem.prior[c];
