@@ -7,7 +7,7 @@ namespace rubsweep::diagnose {
 /// Purposes that keep the random streams of a diagnosis apart.
 enum DrawPurpose : std::uint64_t {
   of_prior = 100,
-  of_observation = 102,
+  of_observation = 102,  // 101 was that of motions near the likeliest ones
   of_tree,
   of_another_cause,
   of_kit,

@@ -16,15 +16,15 @@ namespace fs = std::filesystem;
 
 class KeptCases : public testing::Test {
  protected:
-  fs::path only_file() const { return fs::directory_iterator(directory.path())->path(); }
+  fs::path only_file() const { return fs::directory_iterator(directory_.path())->path(); }
 
-  TemporaryDirectory directory;
-  std::string digest = cases_digest(small_problem(), few_cases());
+  TemporaryDirectory directory_;
+  std::string digest_ = cases_digest(small_problem(), few_cases());
 };
 
 TEST_F(KeptCases, AreTheSameAgain) {
-  keep_cases(directory.path(), digest, small_set());
-  const auto again = kept_cases(directory.path(), digest, small_problem());
+  keep_cases(directory_.path(), digest_, small_set());
+  const auto again = kept_cases(directory_.path(), digest_, small_problem());
   ASSERT_TRUE(again);
   ASSERT_EQ(again->cases.size(), small_set().cases.size());
   for (std::size_t i = 0; i < again->cases.size(); ++i) {
@@ -41,28 +41,28 @@ TEST_F(KeptCases, AreTheSameAgain) {
 }
 
 TEST_F(KeptCases, OfAnotherMachineAreNotTaken) {
-  keep_cases(directory.path(), digest, small_set());
+  keep_cases(directory_.path(), digest_, small_set());
   DiagnosisProblem other = small_problem();
   other.fixed.rotor_mass_kg = 2;
-  EXPECT_FALSE(kept_cases(directory.path(), cases_digest(other, few_cases()), other));
+  EXPECT_FALSE(kept_cases(directory_.path(), cases_digest(other, few_cases()), other));
   // The instrument does not affect the simulated motions.
   other = small_problem();
   other.measuring.probes = 1;
-  EXPECT_EQ(cases_digest(other, few_cases()), digest);
+  EXPECT_EQ(cases_digest(other, few_cases()), digest_);
 }
 
 TEST_F(KeptCases, ThatAreDamagedAreNotTaken) {
-  keep_cases(directory.path(), digest, small_set());
+  keep_cases(directory_.path(), digest_, small_set());
   std::ifstream in(only_file(), std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(in)), {});
   for (const std::size_t length : {std::size_t{0}, std::size_t{40}, bytes.size() / 2, bytes.size() - 1}) {
     std::ofstream(only_file(), std::ios::binary) << bytes.substr(0, length);
-    EXPECT_FALSE(kept_cases(directory.path(), digest, small_problem())) << length;
+    EXPECT_FALSE(kept_cases(directory_.path(), digest_, small_problem())) << length;
   }
   std::string flipped = bytes;
   flipped[bytes.size() / 2] = static_cast<char>(flipped[bytes.size() / 2] ^ 1);
   std::ofstream(only_file(), std::ios::binary) << flipped;
-  EXPECT_FALSE(kept_cases(directory.path(), digest, small_problem()));
+  EXPECT_FALSE(kept_cases(directory_.path(), digest_, small_problem()));
 }
 
 TEST_F(KeptCases, ServeSpeedsNearby) {
