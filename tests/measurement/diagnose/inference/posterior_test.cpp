@@ -133,8 +133,11 @@ TEST(Posterior, KnowsWhatIsNoneOfThem) {
   RandomStream random(8, 0, 0);
   double probe_angle_rad = 0;
   const MotionLines measured = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
-  EXPECT_GT(posterior_of(problem, small_set(), observed, features::describe(measured, {}, workspace), 0).none,
-            0.5);
+  const features::DescribedMotion seen = features::describe(measured, {}, workspace);
+  const double none = posterior_of(problem, small_set(), observed, seen, 0).none;
+  EXPECT_GT(none, 0.5);
+  // Weak evidence for the candidates is no evidence against none of them.
+  EXPECT_EQ(posterior_of(problem, small_set(), observed, seen, 0, 0.5).none, none);
 }
 
 TEST(Posterior, OtherCausesHaveAnySizeUpToThreeClearances) {

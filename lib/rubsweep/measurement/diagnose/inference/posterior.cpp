@@ -188,14 +188,20 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   if (share.sum() == 0) share(samples.classes - 1) = 1;
   posterior.sharpness =
       best_sharpness(posterior.forest->out_of_bag_probabilities(), samples.label, samples.weight);
-  Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness * evidence_power);
-  // A size that excludes a candidate does so however weak the evidence of the features is.
-  for (Eigen::Index c = 0; c + 1 < all.size(); ++c)
-    if (share(c) == 0 && likeness(c) > 0) all(c) = std::pow(all(c), 1 / evidence_power);
-  for (std::size_t c = 0; c < problem.prior.size(); ++c)
-    all(static_cast<Eigen::Index>(c)) *= (1 - prior_of_none) * problem.prior[c];
-  all(samples.classes - 1) *= prior_of_none;
-  all /= all.sum();
+  const auto probabilities = [&](double power) -> Eigen::RowVectorXd {
+    Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness * power);
+    for (std::size_t k = 0; k < problem.prior.size(); ++k) {
+      const auto c = static_cast<Eigen::Index>(k);
+      // A size that excludes a candidate does so however weak the evidence of the features is.
+      if (share(c) == 0 && likeness(c) > 0) all(c) = std::pow(all(c), 1 / power);
+      all(c) *= (1 - prior_of_none) * problem.prior[k];
+    }
+    all(samples.classes - 1) *= prior_of_none;
+    return all / all.sum();
+  };
+  Eigen::RowVectorXd all = probabilities(1);
+  // "None of these" says already that hardly any case resembles the recording.
+  if (all(samples.classes - 1) < 0.5) all = probabilities(evidence_power);
   posterior.none = all(samples.classes - 1);
   posterior.probability = all.head(samples.classes - 1).transpose() / (1 - posterior.none);
   posterior.weight = weight.head(cases);

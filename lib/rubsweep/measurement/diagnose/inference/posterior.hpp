@@ -40,7 +40,8 @@ ObservedCases observed_cases(const DiagnosisProblem& problem, const CaseSet& set
 /// Posterior from a forest in which vibrations of other causes form one more class. The forest compares
 /// classes as if they were equally likely; its probabilities are then multiplied by the priors (Bayes'
 /// theorem). `evidence_power`: further power of the likelihoods, > 0, see evidence_power_of; a candidate that
-/// cannot have the recorded size is as unlikely as without it.
+/// cannot have the recorded size is as unlikely as without it, and where "none of these" is likelier than all
+/// candidates together, it does not count.
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
                        const features::DescribedMotion& seen, int threads, double evidence_power = 1);
 
