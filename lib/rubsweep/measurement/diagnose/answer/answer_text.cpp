@@ -84,7 +84,7 @@ std::string trust_line(const Answer& answer) {
   const long as_far = std::lround(100 * answer.p_value);
   return text + fmt::format("  of 100 simulated recordings {} {} as far from all others as this one{}\n",
                             as_far, as_far == 1 ? "lies" : "lie",
-                            inference::evidence_power_of(answer.p_value) < 1
+                            inference::evidence_power_of(answer.p_value) < 1 && answer.none < 0.5
                                 ? ": the answer is less sure for it"
                                 : "");
 }
