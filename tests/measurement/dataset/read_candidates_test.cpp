@@ -108,9 +108,8 @@ TEST(ReadCandidates, UsualListHasEveryCause) {
     EXPECT_EQ(usual.candidates[c].cause, diagnose::all_causes[c]);
     EXPECT_GT(usual.candidates[c].clearance_m.low, 0);
     EXPECT_GT(usual.candidates[c].clearance_m.high, usual.candidates[c].clearance_m.low);
-    EXPECT_DOUBLE_EQ(usual.prior[c],
-                     usual.candidates[c].cause == diagnose::Cause::no_rub ? 2.0 / 3 : 1.0 / 12);
   }
+  EXPECT_EQ(usual.prior, diagnose::usual_prior(usual.candidates));
 }
 
 TEST(ReadCandidates, WhatIsMissingIsUsual) {

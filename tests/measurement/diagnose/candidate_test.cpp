@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <set>
 
 namespace rubsweep::diagnose {
@@ -42,11 +43,18 @@ TEST(Candidate, UsualOnesHaveNamesOfTheirOwn) {
 TEST(Candidate, NoRubIsTwiceAsLikelyAsAllRubsTogether) {
   const std::vector<double> prior = usual_prior(usual_candidates());
   ASSERT_EQ(prior.size(), all_causes.size());
-  for (std::size_t c = 0; c < prior.size(); ++c)
-    EXPECT_DOUBLE_EQ(prior[c], all_causes[c] == Cause::no_rub ? 2.0 / 3 : 1.0 / 12);
+  EXPECT_DOUBLE_EQ(prior[static_cast<std::size_t>(Cause::no_rub)], 2.0 / 3);
+  EXPECT_NEAR(std::accumulate(prior.begin(), prior.end(), 0.0), 1, 1e-15);
   const Candidate flat = usual_candidate(Cause::one_side), quiet = usual_candidate(Cause::no_rub);
   EXPECT_EQ(usual_prior({flat, flat}), (std::vector<double>{0.5, 0.5}));
   EXPECT_EQ(usual_prior({quiet, quiet, quiet, quiet}), (std::vector<double>(4, 0.25)));
+}
+
+TEST(Candidate, CentredAndOffsetRoundStopsAreOneKind) {
+  const Candidate flat = usual_candidate(Cause::one_side), centred = usual_candidate(Cause::annular),
+                  offset = usual_candidate(Cause::annular_offset);
+  EXPECT_EQ(usual_prior({flat, centred, offset}), (std::vector<double>{0.5, 0.25, 0.25}));
+  EXPECT_EQ(usual_prior({flat, offset}), (std::vector<double>{0.5, 0.5}));
 }
 
 TEST(Candidate, CornersOfTheUnitCubeAreTheBounds) {

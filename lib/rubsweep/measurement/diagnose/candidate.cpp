@@ -71,14 +71,22 @@ std::vector<Candidate> usual_candidates() {
 
 std::vector<double> usual_prior(const std::vector<Candidate>& candidates) {
   constexpr double without_over_with_rub = 2;
-  const auto quiet = [](const Candidate& candidate) { return candidate.cause == Cause::no_rub; };
-  const auto still = static_cast<double>(std::ranges::count_if(candidates, quiet)),
-             rubs = static_cast<double>(candidates.size()) - still;
-  const double of_still = still == 0 || rubs == 0 ? 1 : without_over_with_rub * rubs / still,
-               all = of_still * still + rubs;
+  const auto count = [&](Cause cause) {
+    return static_cast<double>(std::ranges::count(candidates, cause, &Candidate::cause));
+  };
+  const bool both_round = count(Cause::annular) > 0 && count(Cause::annular_offset) > 0;
+  const double of_round = both_round ? 0.5 : 1,
+               rubs = count(Cause::one_side) + count(Cause::two_sides) +
+                      of_round * (count(Cause::annular) + count(Cause::annular_offset)),
+               still = count(Cause::no_rub),
+               of_still = still == 0 || rubs == 0 ? 1 : without_over_with_rub * rubs / still;
   std::vector<double> prior;
   prior.reserve(candidates.size());
-  for (const Candidate& candidate : candidates) prior.push_back((quiet(candidate) ? of_still : 1) / all);
+  for (const Candidate& candidate : candidates) {
+    const bool is_round = candidate.cause == Cause::annular || candidate.cause == Cause::annular_offset;
+    const double share = candidate.cause == Cause::no_rub ? of_still : is_round ? of_round : 1;
+    prior.push_back(share / (rubs + of_still * still));
+  }
   return prior;
 }
 

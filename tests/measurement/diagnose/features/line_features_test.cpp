@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "tones.hpp"
@@ -48,6 +51,33 @@ TEST(LineFeatures, TellATorusFromTwoCauses) {
   EXPECT_LT(value_of(line_features(tones(torus), true), off), -2);
   const double share = 0.25 / (0.25 + 0.25 + 0.04 + 0.04 + 0.01);
   EXPECT_NEAR(value_of(line_features(tones(causes), true), off), std::log10(share), 0.1);
+}
+
+TEST(LineFeatures, TellAnAddedVibrationFromOneThatAContactMixes) {
+  const char* off = "energy off the order of line 1 between multiples";
+  EXPECT_LT(value_of(line_features(tones({{1, 1}, {0.43, 0.5}, {-0.43, 0.1}}), true), off), -4);
+  const std::vector<Tone> mixed{{1, 1}, {0.43, 0.5}, {1.43, 0.2}, {2.43, 0.2}};
+  EXPECT_NEAR(value_of(line_features(tones(mixed), true), off), std::log10(0.08 / 0.33), 0.02);
+}
+
+TEST(LineFeatures, TellAStraightMotionFromACircle) {
+  // A circle at 1X beside vibrations along 0.3 rad, with other phases: z = e^(0.3 i) cos(k phi + phase).
+  MotionLines lines{12, Eigen::VectorXcd::Zero(2 * 72 + 1)};
+  lines.at(12) = 1;
+  for (const auto& [k, phase] : {std::pair{6, 0.2}, {24, 1.4}, {30, 2.5}}) {
+    lines.at(k) = std::polar(0.2, 0.3 + phase);
+    lines.at(-k) = std::polar(0.2, 0.3 - phase);
+  }
+  const Features straight = line_features(lines, true);
+  for (const char* part :
+       {"motion off 1X", "acceleration off 1X", "motion at multiples", "acceleration between multiples"})
+    EXPECT_EQ(value_of(straight, std::string("straightness of ") + part), 3) << part;
+  // A backward line alone is a circle: with energies 0.08 and 0.08 the straightness falls to 1/2.
+  for (const int k : {6, 30}) lines.at(k) = lines.at(-k) = 0;
+  lines.at(-36) = std::sqrt(0.08);
+  EXPECT_NEAR(value_of(line_features(lines, true), "straightness of motion at multiples"), std::log10(2),
+              1e-9);
+  EXPECT_EQ(value_of(line_features(lines, true), "straightness of motion between multiples"), 0);
 }
 
 TEST(LineFeatures, TellALineFromABandOfLines) {

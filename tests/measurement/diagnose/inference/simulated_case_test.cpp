@@ -34,6 +34,19 @@ TEST(SimulatedCase, GrowsWithItsClearance) {
   EXPECT_EQ(compared, 5);
 }
 
+TEST(SimulatedCase, OfAFlatStopMovesOffTheRunningSpeedAlongOneDirection) {
+  // Normal force and constant friction keep their directions, and the rotor is the same all around.
+  int compared = 0;
+  for (const SimulatedCase& one : small_set().cases) {
+    const MotionLines& lines = one.motion.lines;
+    const auto off_1x = [&](int k) { return std::abs(std::abs(k) - lines.turns) > 2 ? 1.0 : 0.0; };
+    if (one.candidate != 1) continue;
+    EXPECT_GT(features::straightness(lines, off_1x), 0.99);
+    ++compared;
+  }
+  EXPECT_GT(compared, 10);
+}
+
 TEST(SimulatedCase, OfAKitThatIsAJeffcottRotorIsTheSame) {
   DiagnosisProblem problem = small_problem(), of_kit = small_problem();
   of_kit.fixed.kit = std::make_shared<KnownKit>(known_kit({light_kit()}, problem.speed_hz, "kit.yaml"));

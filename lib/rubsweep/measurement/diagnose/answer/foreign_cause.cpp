@@ -176,14 +176,10 @@ class Rules {
   bool is_straight() const {
     constexpr double least_straight = 0.85;
     if (!plane_) return true;
-    Complex direction = 0;
-    double all = 0;
-    for (int order = 2; order <= highest_multiple; ++order) {
-      const int k = order * lines_.turns;
-      direction += lines_.at(k) * lines_.at(-k);
-      all += (std::norm(lines_.at(k)) + std::norm(lines_.at(-k))) / 2;
-    }
-    return std::abs(direction) >= least_straight * all;
+    return features::straightness(lines_, [&](int k) {
+             const int order = k / lines_.turns;
+             return k == order * lines_.turns && order >= 2 && order <= highest_multiple ? 1 : 0;
+           }) >= least_straight;
   }
 
   const MotionLines& lines_;

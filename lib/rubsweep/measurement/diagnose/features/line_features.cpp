@@ -60,26 +60,29 @@ void add_strongest(const HannEnergy& energy, Features& features) {
 /// Distance of an order to the nearest whole number.
 double off_whole(double order) { return std::abs(order - std::round(order)); }
 
-/// Two measures of the strongest line between the multiples of the shaft speed: the energy there that lies
-/// outside its sidebands (whole orders plus or minus its order), and its width. Both measures are small for a
-/// fraction or a torus, and large for chaos and for several causes.
+/// Three measures of the strongest line between the multiples of the shaft speed: the energy there that lies
+/// outside its sidebands (whole orders plus or minus its order), the energy that lies off this order forward
+/// and backward, and its width. The first and the last are small for a fraction or a torus, and large for
+/// chaos and for several causes. The second is small for a vibration that no contact mixes with 1X.
 void add_sidebands(const HannEnergy& energy, Features& features) {
   const int best = strongest_between_multiples(energy, {});
   const double fraction = off_whole(order_of_line(energy, best));
   constexpr double reach_bins = 1.6;
-  constexpr int wide_bins = 6;
-  double all = 0, beside = 0, near = 0, narrow = 0;
+  constexpr int wide_bins = 6, own_bins = 3;
+  double all = 0, beside = 0, own = 0, near = 0, narrow = 0;
   for (int k = energy.first(); k <= energy.last(); ++k) {
     if (!between_multiples(energy, k, 2)) continue;
     const double off_band = off_whole(static_cast<double>(k) / energy.turns()) - fraction;
     all += energy[k];
     if (std::abs(off_band) * energy.turns() <= reach_bins) beside += energy[k];
+    if (std::abs(std::abs(k) - std::abs(best)) <= own_bins) own += energy[k];
     if (std::abs(k - best) <= wide_bins) near += energy[k];
     if (std::abs(k - best) <= 1) narrow += energy[k];
   }
   const bool seen = all > 10 * smallest_energy;
   add(features, "energy off the sidebands of line 1 between multiples",
       seen ? logarithm(1 - beside / all) : 0);
+  add(features, "energy off the order of line 1 between multiples", seen ? logarithm(1 - own / all) : 0);
   add(features, "width of line 1 between multiples", seen ? logarithm(1 - narrow / near) : 0);
 }
 
@@ -91,6 +94,28 @@ void add_parity(const HannEnergy& energy, Features& features) {
   for (int order = 2; order <= most_multiple; ++order)
     (order % 2 == 0 ? even : odd) += energy.near(order, 1) + energy.near(-order, 1);
   add(features, "even over odd multiples", logarithm(even) - logarithm(odd));
+}
+
+/// Straightness of the motion and of its acceleration, for all lines off 1X, for those at multiples of the
+/// shaft speed and for those between them, as -log10(1 - straightness).
+void add_straightness(const MotionLines& lines, const HannEnergy& energy, Features& features) {
+  enum class Part { all, multiples, between };
+  for (const bool acceleration : {false, true})
+    for (const auto& [part, name] : {std::pair{Part::all, "off 1X"},
+                                     {Part::multiples, "at multiples"},
+                                     {Part::between, "between multiples"}}) {
+      const double straight = straightness(lines, [&](int k) {
+        constexpr int line_bins = 2;
+        const bool off_1x = std::abs(std::abs(k) - lines.turns) > line_bins,
+                   between = between_multiples(energy, k, line_bins);
+        if (!off_1x || (part != Part::all && between != (part == Part::between))) return 0.0;
+        const double order = static_cast<double>(k) / lines.turns;
+        return acceleration ? order * order : 1.0;
+      });
+      constexpr double least_off = 1e-3;
+      add(features, fmt::format("straightness of {} {}", acceleration ? "acceleration" : "motion", name),
+          -std::log10(std::max(1 - straight, least_off)));
+    }
 }
 
 /// Noise level: the energy below which a fifth of the lines between the multiples lie.
@@ -160,6 +185,7 @@ Features line_features(const MotionLines& lines, bool plane) {
   add_strongest(energy, features);
   add_sidebands(energy, features);
   add_parity(energy, features);
+  if (plane) add_straightness(lines, energy, features);
   add_noise(energy, features);
   return features;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <complex>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -49,10 +51,26 @@ int strongest_between_multiples(const HannEnergy& energy, const std::vector<int>
 /// neighbours'.
 double order_of_line(const HannEnergy& energy, int k);
 
+/// Straightness of the motion of two probes about its mean, |mean of z^2| / mean of |z|^2: 1 where it stays
+/// on one straight line, 0 on circles. The force of a flat stop keeps its direction, and so does the motion
+/// that it causes on equal supports; in a round stop the force turns. Line k is multiplied by `weight(k)`,
+/// which is the same for -k.
+template <class Weight>
+double straightness(const MotionLines& lines, Weight weight) {
+  std::complex<double> squares = 0;
+  double all = 0;
+  for (int k = 1; k <= lines.last(); ++k) {
+    const double squared = std::pow(weight(k), 2);
+    squares += squared * 2 * lines.at(k) * lines.at(-k);
+    all += squared * (std::norm(lines.at(k)) + std::norm(lines.at(-k)));
+  }
+  return all > 0 ? std::abs(squares) / all : 0;
+}
+
 /// Features of the full spectrum, as decimal logarithms of shares of the energy: at multiples of the shaft
 /// speed (forward and backward), at its fractions 1/2 to 1/5, at other orders, in the strongest of these
-/// lines with its sidebands, and in the noise between the lines. `plane`: true with two probes; with one
-/// probe the motion is real.
+/// lines with its sidebands, and in the noise between the lines; with two probes also its straightness.
+/// `plane`: true with two probes; with one probe the motion is real.
 Features line_features(const MotionLines& lines, bool plane);
 
 }  // namespace rubsweep::diagnose::features

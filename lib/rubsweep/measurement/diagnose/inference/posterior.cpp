@@ -19,6 +19,10 @@ namespace {
 
 constexpr double prior_of_none = 1.0 / 6;  ///< Prior probability of "none of these".
 
+/// Vibrations of other causes for each case that a candidate has on average: they are the most various class,
+/// and need no simulation.
+constexpr std::size_t vibrations_per_case = 3;
+
 /// Smallest width of a size interval, in decades. Simulated sizes are discrete, and some must lie inside.
 constexpr double least_decades = 0.08;
 
@@ -145,8 +149,8 @@ ObservedCases observed_cases(const DiagnosisProblem& problem, const CaseSet& set
   });
   ObservedCases observed;
   if (seen.empty()) return observed;
-  observed.of_other_causes =
-      features_of_other_causes(problem, seen.size() / problem.candidates.size() + 1, threads);
+  observed.of_other_causes = features_of_other_causes(
+      problem, vibrations_per_case * seen.size() / problem.candidates.size() + 1, threads);
   const auto all = static_cast<Eigen::Index>(seen.size());
   observed.features.resize(all, static_cast<Eigen::Index>(seen.front().seen.features.size()));
   for (auto* column : {&observed.size_m, &observed.direction_rad, &observed.probe_angle_rad})

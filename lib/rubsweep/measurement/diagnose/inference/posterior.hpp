@@ -34,7 +34,7 @@ struct ObservedCases {
   Eigen::MatrixXd of_other_causes{};  ///< features of vibrations of other causes, one row each
 };
 
-/// Observes all cases, and vibrations of other causes, as many as a candidate has cases.
+/// Observes all cases, and vibrations of other causes, three times as many as a candidate has cases.
 ObservedCases observed_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads);
 
 /// Posterior from a forest in which vibrations of other causes form one more class. The forest compares
