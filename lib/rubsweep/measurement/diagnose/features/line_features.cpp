@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <utility>
@@ -100,10 +101,11 @@ void add_parity(const HannEnergy& energy, Features& features) {
 /// shaft speed and for those between them, as -log10(1 - straightness).
 void add_straightness(const MotionLines& lines, const HannEnergy& energy, Features& features) {
   enum class Part { all, multiples, between };
+  constexpr std::array parts{Part::all, Part::multiples, Part::between};
+  constexpr std::array<const char*, parts.size()> names{"off 1X", "at multiples", "between multiples"};
   for (const bool acceleration : {false, true})
-    for (const auto& [part, name] : {std::pair{Part::all, "off 1X"},
-                                     {Part::multiples, "at multiples"},
-                                     {Part::between, "between multiples"}}) {
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const Part part = parts[p];
       const double straight = straightness(lines, [&](int k) {
         constexpr int line_bins = 2;
         const bool off_1x = std::abs(std::abs(k) - lines.turns) > line_bins,
@@ -113,7 +115,7 @@ void add_straightness(const MotionLines& lines, const HannEnergy& energy, Featur
         return acceleration ? order * order : 1.0;
       });
       constexpr double least_off = 1e-3;
-      add(features, fmt::format("straightness of {} {}", acceleration ? "acceleration" : "motion", name),
+      add(features, fmt::format("straightness of {} {}", acceleration ? "acceleration" : "motion", names[p]),
           -std::log10(std::max(1 - straight, least_off)));
     }
 }
