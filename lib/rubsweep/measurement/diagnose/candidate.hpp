@@ -82,7 +82,7 @@ std::vector<Candidate> usual_candidates();  ///< One usual candidate for every c
 /// Probabilities of candidates before a recording is looked at; they add up to 1. A stop that is not touched
 /// leaves no trace, and about two in three machines of the usual ranges of a rub do not rub, or rub too deep:
 /// candidates without rub have two thirds together. All rubs are equally likely, but centred and offset round
-/// stops, if both are listed, share the probability of one kind.
+/// stops, which are one kind, count half each where both are listed.
 std::vector<double> usual_prior(const std::vector<Candidate>& candidates);
 
 /// Values of the unknowns at a point of the unit cube.
