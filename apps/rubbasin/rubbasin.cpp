@@ -10,7 +10,6 @@
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"

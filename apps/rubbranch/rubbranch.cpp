@@ -18,7 +18,6 @@
 #include "rubsweep/analysis/branch/continuation/branch_point.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
 #include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
-#include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "shared/exit_code.hpp"

@@ -101,7 +101,8 @@ int look(const RubdiagnoseArguments& arguments) {
     return 128 + caught_signal();
   }
   const diagnose::answer::Answer& answer = *found;
-  const diagnose::MotionLines lines = diagnosis::lines_of(input.recorded);
+  const diagnose::MotionLines lines =
+      diagnosis::lines_of(input.recorded.recording, input.recorded.stretches.front());
   count_in_summary("motions", answer.cases);
   const batch::ResultFiles files{
       {"diagnosis.json", diagnose::answer::answer_json(answer)},

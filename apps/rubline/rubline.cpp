@@ -16,7 +16,6 @@
 #include "rubline/line_tables.hpp"
 #include "rubline_arguments.hpp"
 #include "rubsweep/analysis/line/follow_line.hpp"
-#include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/batch/axis.hpp"

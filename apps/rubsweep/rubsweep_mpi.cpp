@@ -14,7 +14,6 @@
 #include "map_outcome.hpp"
 #include "mpi_leader.hpp"
 #include "mpi_messages.hpp"
-#include "rubsweep/core/error.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/config/run_config.hpp"

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "rubsweep/core/model/speed_text.hpp"
-#include "rubsweep/maps/config/study/sweep.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes recordings of rubs and of foreign causes that a simulator of its own made (independent_rotor.py).
 
-Usage: independent_recordings.py DIRECTORY COUNT SEED [--misaligned]
+Usage: independent_recordings.py DIRECTORY COUNT SEED [--misaligned] [--run-up]
 
 Writes COUNT recordings of rubs and COUNT of others (fewer from machines that hardly rub), as NNNN.csv with its
 instrument NNNN.yaml; truth.csv says what each is; machine_K.yaml describes the rotor by its first mode alone, with
@@ -9,6 +9,8 @@ the errors of a fit. Four machines run at one speed each, a fifth at half its cr
 rubdiagnose simulates serve many recordings. A rub has 3 % or more of its energy off +-1X and goes less deep than half
 its clearance.
 --misaligned: the rubbing rotors are misaligned, too, so that two causes act at once.
+--run-up: the speed changes from 0.8 to 1.25 times that of the machine, or back, in 360 turns; a rub has 3 % off +-1X
+in one of fifteen parts.
 Needs NumPy. The same arguments give the same bytes on one computer.
 """
 
@@ -25,6 +27,7 @@ MACHINES, RECORDED, SETTLING, EVERY = 5, 40, 160, 8
 RUNS_A_RUB = 9  # runs of a rub beside one of another cause: nine in ten do not touch, or rub synchronously
 MOST_ROUNDS = 10  # for each recording that is asked for: machines that never rub end, too
 BATCH = 400
+SLOWEST, FASTEST, RUN_UP, RUN_UP_SETTLING, PARTS = 0.8, 1.25, 360, 120, 15  # of a run-up
 
 
 def uniform(random, low, high, count):
@@ -55,8 +58,9 @@ def draw_machines(random):
     return machines
 
 
-def draw(random, machines, machine, cause, misaligned):
-    """Numbers of one run for each entry of `machine` and `cause`; `misaligned`: rubs have this cause beside them."""
+def draw(random, machines, machine, cause, misaligned, run_up):
+    """Numbers of one run for each entry of `machine` and `cause`; `misaligned`: rubs have this cause beside them;
+    `run_up`: the speed runs up or down."""
     n = len(cause)
     of = {key: value[..., machine] for key, value in machines.items()}
     first = 2 * np.pi * of["frequency_hz"]
@@ -99,12 +103,18 @@ def draw(random, machines, machine, cause, misaligned):
     w = 2 * np.pi * speed_hz
     gain = w**2 / (p["angular"] ** 2 - w**2 + 2j * p["damping"] * p["angular"] * w)
     p["unbalance"] = unbalance * wanted / np.abs((p["at_stop"] * unbalance * gain).sum(0))
+    p["speeds"] = np.ones((2, n))
+    if run_up:
+        down = random.random(n) < 0.5
+        p["speeds"] = np.where(down, [[FASTEST], [SLOWEST]], [[SLOWEST], [FASTEST]])
     return p
 
 
-def off_1x(z, angle):
-    """Share of the energy about the mean that lines at +1X and -1X leave."""
-    basis = np.array([np.ones_like(angle), np.exp(1j * angle), np.exp(-1j * angle)]).T
+def off_1x(z, angle, growing=False):
+    """Share of the energy about the mean that lines at +1X and -1X leave; `growing`: these may grow or decay."""
+    turned = np.exp(1j * angle)
+    grown = (angle - angle.mean()) * turned
+    basis = np.array([np.ones_like(angle), turned, turned.conj()] + [grown, grown.conj()] * growing).T
     left = z - basis @ np.linalg.lstsq(basis, z, rcond=None)[0]
     return float((np.abs(left) ** 2).sum() / max((np.abs(z - z.mean()) ** 2).sum(), 1e-300))
 
@@ -132,9 +142,14 @@ def disturbed(cause, z, angle, t, random):
     return out
 
 
-def write(stem, cause, z, angle, speed_hz, probes, random):
+def most_off_1x(z, angle):
+    """The largest of these shares in the parts of a run-up."""
+    return max(off_1x(*part, growing=True) for part in zip(np.array_split(z, PARTS), np.array_split(angle, PARTS)))
+
+
+def write(stem, cause, z, angle, sampling_hz, probes, random):
     """Writes table and description of one recording."""
-    t = np.arange(len(z)) * EVERY / STEPS / speed_hz
+    t = np.arange(len(z)) / sampling_hz
     x, y = disturbed(cause, z, angle, t, random)
     turn = angle / (2 * np.pi) - np.round(angle / (2 * np.pi))
     key = -1 - 8 * np.clip(4 - np.abs(turn) / 0.01, 0, 1)
@@ -174,29 +189,30 @@ def all_runs(rounds):
         yield cause, MACHINES - 1 if slow else k // 3 % (MACHINES - 1)
 
 
-def main(directory, count, seed, misaligned):
+def main(directory, count, seed, misaligned, run_up):
     directory.mkdir(parents=True, exist_ok=True)
     random = np.random.default_rng(seed)
     machines = draw_machines(random)
     for k in range(MACHINES):
         write_machine(directory / f"machine_{k}.yaml", machines, k, random)
     runs, kept = all_runs(MOST_ROUNDS * count), dict.fromkeys(("rub", "other"), 0)
+    settling, recorded, every = (RUN_UP_SETTLING, RUN_UP, 2 * EVERY) if run_up else (SETTLING, RECORDED, EVERY)
     with open(directory / "truth.csv", "w", encoding="ascii") as truth:
         truth.write("recording,cause,machine,probes,off_1x,deepest,contact_share,wander\n")
         while min(kept.values()) < count and (part := list(itertools.islice(runs, BATCH))):
             causes, machine = [run[0] for run in part], np.array([run[1] for run in part])
-            p = draw(random, machines, machine, causes, misaligned)
-            seen, angles, deepest, touched = Rotors(p, random).run(SETTLING, RECORDED, EVERY)
+            p = draw(random, machines, machine, causes, misaligned, run_up)
+            seen, angles, deepest, touched = Rotors(p, random).run(settling, recorded, every)
             for i, cause in enumerate(causes):
                 z, kind = seen[i] * p["clearance_m"][i], "rub" if cause in RUBS else "other"
                 if not np.isfinite(z).all() or kept[kind] >= count:
                     continue
-                off = off_1x(z, angles[i])
+                off = (most_off_1x if run_up else off_1x)(z, angles[i])
                 if kind == "rub" and not (0 < deepest[i] < 0.5 and off >= 0.03):
                     continue
                 number, probes = sum(kept.values()), 1 if random.random() < 0.25 else 2
                 kept[kind] += 1
-                write(directory / f"{number:04}", cause, z, angles[i], p["speed_hz"][i], probes, random)
+                write(directory / f"{number:04}", cause, z, angles[i], p["speed_hz"][i] * STEPS / every, probes, random)
                 truth.write(f"{number:04},{cause},{machine[i]},{probes},{off:.4g},{deepest[i]:.4g},"
                             f"{touched[i]:.4g},{p['wander'][i]:.3g}\n")
             truth.flush()
@@ -204,6 +220,7 @@ def main(directory, count, seed, misaligned):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (4, 5) or sys.argv[4:] not in ([], ["--misaligned"]):
+    if len(sys.argv) < 4 or not set(sys.argv[4:]) <= {"--misaligned", "--run-up"}:
         sys.exit(__doc__)
-    main(pathlib.Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]), len(sys.argv) == 5)
+    main(pathlib.Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]), "--misaligned" in sys.argv,
+         "--run-up" in sys.argv)

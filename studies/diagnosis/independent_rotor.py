@@ -6,7 +6,7 @@ The equations share no code, contact law or integrator with the library:
   with a mass, spring and damper of its own;
 - friction mu tanh(slip / slip scale) times the normal force;
 - two modes, whose stiffness differs by up to 2 % between x and y;
-- a speed that wanders about its mean (an Ornstein-Uhlenbeck process);
+- a speed that wanders about its mean (an Ornstein-Uhlenbeck process), and may run up or down;
 - classical Runge-Kutta steps, 1024 a turn.
 
 Displacements z = x + iy are in units of the clearance, times in seconds. Every array has one entry for each
@@ -99,7 +99,7 @@ class Rotors:
         step = 1 / p["speed_hz"] / STEPS
         # The quiet whirl, and a kick: a free vibration that has not died away would be a line of its own.
         state = np.zeros((6, count), complex)
-        w = 2 * np.pi * p["speed_hz"]
+        w = 2 * np.pi * p["speed_hz"] * p["speeds"][0]
         state[0:2] = p["unbalance"] * w**2 / (p["angular"] ** 2 - w**2 + 2j * p["damping"] * p["angular"] * w)
         state[3:5] = 1j * w * state[0:2]
         state[3] += p["kick"] * np.exp(2j * np.pi * self.random.random(count))
@@ -111,13 +111,15 @@ class Rotors:
         for k in range((settling + turns) * STEPS):
             t = k * step
             away += -forget * away + np.sqrt(2 * forget) * self.random.standard_normal(count)
-            speed = 2 * np.pi * p["speed_hz"] * (1 + p["wander"] * away)
+            first, last = p["speeds"]
+            now_hz = p["speed_hz"] * (first + (last - first) * max(0, k / STEPS - settling) / turns)
+            speed = 2 * np.pi * now_hz * (1 + p["wander"] * away)
             p["film_phase"] = p["film_phase"] + p["film_order"] * speed * step \
                 + p["film_wander"] * np.sqrt(1 / STEPS) * self.random.standard_normal(count)
             due = t >= next_impact
             self.last_impact = np.where(due, next_impact + 3 * p["pulse"], self.last_impact)
             slipping = 1 + 0.01 * self.random.standard_normal(count)
-            next_impact = np.where(due, next_impact + slipping / (p["impact_order"] * p["speed_hz"]), next_impact)
+            next_impact = np.where(due, next_impact + slipping / (p["impact_order"] * now_hz), next_impact)
             half = phase + speed * step / 2
             a = self.rate(state, t, phase, speed)
             b = self.rate(state + step / 2 * a, t + step / 2, half, speed)

@@ -271,20 +271,32 @@ bad_list 'clearance_m: 1.0e-4\nclearance_m: 2.0e-4\n' 'list.yaml:2:1: clearance_
 bad_list 'candidates: [annular]\n' 'list.yaml:1:13: candidates: has nothing to choose from'
 bad_list 'candidates: [no_rub, annular]\nprior: [1, 0]\n' 'list.yaml:2:8: prior: has a share that is not above 0'
 
-# Too short, and of a speed that changes.
+# Too short, of a speed that changes fast, and a run-up.
 head -n 700 run.csv >short.csv
 refuse 'whole turns, allowed: 12 or more' short.csv --machine machine.yaml --instrument run.yaml
 python3 - <<'END'
 import math
 
-with open("ramp.csv", "w", encoding="utf-8") as file:
-    file.write("t_s,x_m,y_m,keyphasor_v\n")
-    for k in range(5000):
-        t = k / 5000
-        turns = 40 * t + 10 * t * t
-        angle = 2 * math.pi * turns
-        file.write(f"{t},{1e-4 * math.cos(angle)},{1e-4 * math.sin(angle)},{-2 if turns % 1 < 0.1 else -12}\n")
+def write_ramp(name, duration_s, rate_hz_per_s):
+    """A quiet whirl from 40 Hz on above its natural frequency of 30 Hz."""
+    with open(name, "w", encoding="utf-8") as file:
+        file.write("t_s,x_m,y_m,keyphasor_v\n")
+        for k in range(int(5000 * duration_s)):
+            t = k / 5000
+            turns = 40 * t + rate_hz_per_s / 2 * t * t
+            angle, radius = 2 * math.pi * turns, 5e-5 / (1 - (30 / (40 + rate_hz_per_s * t)) ** 2)
+            mark = -2 if turns % 1 < 0.1 else -12
+            file.write(f"{t},{radius * math.cos(angle)},{radius * math.sin(angle)},{mark}\n")
+
+
+write_ramp("ramp.csv", 1, 20)
+write_ramp("slow.csv", 7, 2)
 END
-refuse 'ramp.csv: the speed changes, allowed: a steady one' ramp.csv --machine machine.yaml --instrument run.yaml
+refuse 'ramp.csv: the speed changes by 5 % or more in 12 turns' ramp.csv --machine machine.yaml --instrument run.yaml
+for threads in 1 2; do
+  expect_exit 0 slow.csv "${quickest[@]:1}" --instrument run.yaml --threads $threads --table slow_cases$threads --output slow$threads
+  expect_contains stdout 'the speed changes: stretches of 30 turns at '
+done
+expect_same slow1/diagnosis.json slow2/diagnosis.json
 expect_exit 3 missing.csv --machine machine.yaml --instrument run.yaml --output none
 expect_exit 3 run.csv --machine missing.yaml --output none

@@ -3,7 +3,7 @@
 /// \file
 /// A diagnosis: which stop of a known machine rubs in a recording, if any, with probabilities, and values of
 /// the machine's parameters with their intervals. The recording (recording.hpp) has 12 turns or more at a
-/// steady speed. The machine is a configuration; if the files of rubfit lie beside it, their intervals are
+/// steady speed, or is a run-up or coast-down. The machine is a configuration; if the files of rubfit lie beside it, their intervals are
 /// used. Candidates are the usual ones, or those of a file (`configs/recordings/candidates.yaml`).
 ///
 /// First, motions of all candidates are simulated, 600 of each by default, which takes about a minute.

@@ -69,7 +69,7 @@ Load read_load(const yaml::Value& value, const std::optional<double>& ring_radiu
   load.inclination_deg = inclination;
   load.motion = motion;
   // Without a kind the allowed keys are unknown.
-  if (kind) section.refuse_unknown_keys();
+  if (!kind) section.allow_unknown_keys();
   return load;
 }
 
@@ -156,7 +156,6 @@ rubsweep::ring::Ring read_ring(const yaml::Value& value) {
   } else {
     ring = read_modal(section, diameters);
   }
-  section.refuse_unknown_keys();
   return ring;
 }
 

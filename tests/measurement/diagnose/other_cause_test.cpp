@@ -73,5 +73,31 @@ TEST(OtherCause, DependsOnItsRandomNumbersAlone) {
             vibration_of_another_cause(12, again, workspace).amplitude);
 }
 
+TEST(OtherCause, KeepsItsLinesAtAnotherSpeedOrLosesOrChangesThem) {
+  response::spectrum::SpectrumWorkspace workspace;
+  int alone = 0, same = 0, other = 0;
+  for (std::uint64_t k = 0; k < 300; ++k) {
+    RandomStream random(3, k, 0);
+    MotionLines lines = vibration_of_another_cause(12, random, workspace);
+    lines.at(0) = 0.25;
+    const MotionLines there = vibration_at_another_speed(lines, random, workspace);
+    EXPECT_EQ(there.at(0), 0.25);
+    const double ratio_1x = std::abs(there.at(12) / lines.at(12)),
+                 ratio_2x = std::abs(there.at(24) / lines.at(24)),
+                 ratio_3x = std::abs(there.at(36) / lines.at(36));
+    if (ratio_2x == 0)
+      ++alone;
+    else if (std::abs(ratio_2x / ratio_3x - 1) < 1e-9)
+      ++same;
+    else
+      ++other;
+    if (ratio_2x == 0 || std::abs(ratio_2x / ratio_3x - 1) < 1e-9) {
+      EXPECT_GE(ratio_1x, 0.1);
+      EXPECT_LE(ratio_1x, 10);
+    }
+  }
+  for (const int count : {alone, same, other}) EXPECT_NEAR(count, 100, 30);
+}
+
 }  // namespace
 }  // namespace rubsweep::diagnose

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
+#include <string>
 
 #include "measurement/diagnosis/machine_file.hpp"
 #include "rubsweep/core/error.hpp"
@@ -143,6 +147,39 @@ TEST(DiagnoseRecording, ASmallFreeVibrationIsNoRub) {
   EXPECT_GT(expected / (1 - expected), 3 * unexpected / (1 - unexpected));
   // A vibration of 10 % is larger than what is left of a start.
   EXPECT_LT(probability_of_no_rub(0.1, 0.01), 0.3);
+}
+
+/// Answer to a run-up of circles from 42 to 64 Hz whose radius is `radius_m(speed)`: no rub or one flat stop.
+diagnose::answer::Answer answer_to_run_up(const std::function<double(double)>& radius_m) {
+  const MachineFile file;
+  constexpr int turns = 300;
+  constexpr double rate = 1.4e-3, first_hz = 42;
+  recording::Recording recording{.sampling_rate_hz = 6000, .turn_begin_s = {0}, .plane = true};
+  const auto speed_hz = [&](double turn) { return first_hz * std::exp(rate * turn); };
+  for (int turn = 0; turn < turns; ++turn)
+    recording.turn_begin_s.push_back(recording.turn_begin_s.back() + 1 / speed_hz(turn));
+  for (int k = 0; k < turns * recording::samples_per_revolution; ++k) {
+    const double turn = static_cast<double>(k) / recording::samples_per_revolution;
+    recording.displacement_m.push_back(std::polar(radius_m(speed_hz(turn)), 2 * std::numbers::pi * turn));
+  }
+  DiagnosisQuestions questions{.name = "run.csv", .machine = file.path};
+  questions.candidates.candidates.resize(2);
+  questions.candidates.prior = {0.5, 0.5};
+  return diagnose_recording(std::move(recording), two_probes, questions, {.motions = 200}).value();
+}
+
+TEST(DiagnoseRecording, ARunUpIsNoRubWhereItsSizeFollowsTheResonance) {
+  // The whirl of an unbalance above the natural frequency of 30 Hz, and one that grows with the speed
+  // instead.
+  const auto unbalance = [](double hz) { return 2e-5 / (1 - std::pow(30 / hz, 2)); };
+  const auto growing = [](double hz) { return 2e-5 * std::pow(hz / 50, 4); };
+  const diagnose::answer::Answer usual = answer_to_run_up(unbalance);
+  EXPECT_EQ(usual.candidates.front().name, "no_rub");
+  EXPECT_GT(usual.candidates.front().probability, 0.8);
+  EXPECT_TRUE(std::ranges::any_of(usual.recording.findings, [](const std::string& finding) {
+    return finding.starts_with("the speed changes: stretches of 20 turns at ");
+  }));
+  EXPECT_GT(answer_to_run_up(growing).none, 0.7);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "rubsweep/analysis/design/critical_map.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numbers>

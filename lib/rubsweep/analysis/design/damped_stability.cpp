@@ -1,7 +1,6 @@
 #include "rubsweep/analysis/design/damped_stability.hpp"
 
 #include <boost/math/tools/roots.hpp>
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <utility>

@@ -1,9 +1,7 @@
 #include "rubsweep/analysis/design/static_line.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
-#include <utility>
 
 #include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_element.hpp"

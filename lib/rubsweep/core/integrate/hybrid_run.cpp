@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <optional>
 
 #include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/core/integrate/exact/exact_run.hpp"

@@ -104,7 +104,6 @@ keys::Form run_output_form() {
 std::filesystem::path read_output(const yaml::Value& value) {
   yaml::Section section(value);
   const std::filesystem::path directory = read_directory(section);
-  section.refuse_unknown_keys();
   return directory;
 }
 
@@ -118,7 +117,6 @@ void read_run_output(const yaml::Value& value, RunConfig& config) {
   yaml::Section section(value);
   config.output_directory = read_directory(section);
   read_fields(section, config);
-  section.refuse_unknown_keys();
 }
 
 void print_run_output(yaml::Printer& printer, const RunConfig& config) {

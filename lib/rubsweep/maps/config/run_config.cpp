@@ -41,7 +41,6 @@ RunConfig read_sections(const yaml::Value& root) {
   config.study = study::read_study(section);
   if (const auto value = section.require("output", "a map")) read_run_output(*value, config);
   read_captions(section, config.captions);
-  section.refuse_unknown_keys();
   return config;
 }
 

@@ -1,12 +1,9 @@
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/core/error.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/batch/axis.hpp"

@@ -34,7 +34,6 @@ MachineRanges read_machine(const yaml::Value& value, diagnose::FixedNumbers& fix
   read_spread(section, "natural_frequency_hz", model::positive, false, ranges.natural_frequency_hz);
   read_spread(section, "damping_ratio", model::positive, true, ranges.damping_ratio);
   read_spread(section, "clearance_m", model::positive, true, ranges.clearance_m);
-  section.refuse_unknown_keys();
   return ranges;
 }
 
@@ -43,7 +42,6 @@ RubBounds read_rub(const yaml::Value& value) {
   RubBounds rub;
   section.field("penetration_ratio", rub.penetration_ratio, model::positive);
   section.field("force_ratio", rub.force_ratio, model::positive);
-  section.refuse_unknown_keys();
   return rub;
 }
 

@@ -66,7 +66,6 @@ CandidateFile read_file_root(const yaml::Value& root) {
     if (!listed || candidate.clearance_m.high == 0) candidate.clearance_m = clearance_m;
   if (const auto value = section.find("prior")) read_prior(*value, file.prior);
   if (const auto value = section.find("measurement")) read_measuring(*value, file.measuring);
-  section.refuse_unknown_keys();
   return file;
 }
 
@@ -100,7 +99,10 @@ std::optional<Candidate> read_candidate(const yaml::Value& value, bool of_any_ro
   }
   yaml::Section section(value, "the word of a kind, or a map with kind and ranges");
   const auto index = section.require_kind("kind", diagnose::cause_words.texts);
-  if (!index) return std::nullopt;
+  if (!index) {
+    section.allow_unknown_keys();
+    return std::nullopt;
+  }
   Candidate candidate = diagnose::usual_candidate(diagnose::all_causes[*index]);
   if (const auto name = section.find("name")) read_name(*name, candidate.name);
   if (candidate.cause != Cause::no_rub)
@@ -110,7 +112,6 @@ std::optional<Candidate> read_candidate(const yaml::Value& value, bool of_any_ro
       read_spread(section, row.key, row.range, row.logarithmic, spread_of(candidate, row.unknown));
   if (of_any_rotor && candidate.cause != Cause::no_rub && section.find("position_m"))
     read_spread(section, "position_m", model::not_negative, false, candidate.position_m.emplace());
-  section.refuse_unknown_keys();
   return candidate;
 }
 
@@ -150,7 +151,6 @@ rubsweep::dataset::Measurement read_measurement(const yaml::Value& value) {
   section.field("sampling_rate_hz", measurement.sampling_rate_hz, rate_hz);
   section.field("probes", measurement.probes, yaml::IntegerRange{1, 2});
   read_disturbances(section, measurement.noise_share, measurement.other_lines, measurement.gain_error);
-  section.refuse_unknown_keys();
   return measurement;
 }
 
@@ -158,7 +158,6 @@ void read_measuring(const yaml::Value& value, diagnose::Measuring& measuring) {
   yaml::Section section(value);
   read_disturbances(section, measuring.noise_share, measuring.other_lines, measuring.gain_error);
   section.field("free_vibration_share", measuring.free_vibration, any_share);
-  section.refuse_unknown_keys();
 }
 
 CandidateFile usual_candidate_file() {

@@ -127,8 +127,8 @@ double size_of(std::span<const Complex> samples) {
 }
 
 MotionLines observed(const MotionLines& motion, const Measuring& measuring, RandomStream& random,
-                     double& probe_angle_rad) {
-  const double size = size_of(motion);
+                     double& probe_angle_rad, double usual_size_m) {
+  const double size = std::max(size_of(motion), usual_size_m);
   MotionLines seen = motion;
   for (const OtherLine& line : draw_other_lines(measuring.other_lines, size, random))
     if (std::abs(line.order) * seen.turns <= seen.last()) seen.at(line.order * seen.turns) += line.amplitude;

@@ -178,4 +178,19 @@ MotionLines vibration_of_another_cause(int turns, RandomStream& random,
   return lines_of(another_cause(count, samples_of_a_turn, random).samples, turns, most_order, workspace);
 }
 
+MotionLines vibration_at_another_speed(const MotionLines& lines, RandomStream& random,
+                                       response::spectrum::SpectrumWorkspace& workspace) {
+  constexpr int line_bins = 2;
+  const double kind = random.uniform(), size = between_logarithms(0.1, 10, random),
+               off_1x = kind < 1.0 / 3 ? 0 : between_logarithms(0.2, 5, random);
+  MotionLines there = kind < 2.0 / 3 ? lines : vibration_of_another_cause(lines.turns, random, workspace);
+  for (int k = -there.last(); k <= there.last(); ++k) {
+    const bool other = kind < 2.0 / 3 && k != 0 && std::abs(std::abs(k) - there.turns) > line_bins;
+    there.at(k) *= size * (other ? off_1x : 1);
+  }
+  // A load that moves the shaft stays.
+  there.at(0) = lines.at(0);
+  return there;
+}
+
 }  // namespace rubsweep::diagnose

@@ -24,4 +24,10 @@ OtherVibration another_cause(std::size_t count, int samples_of_a_turn, RandomStr
 MotionLines vibration_of_another_cause(int turns, RandomStream& random,
                                        response::spectrum::SpectrumWorkspace& workspace);
 
+/// Lines of the same machine at another speed: in one of three cases no more than 1X is left, in another the
+/// same lines with other amplitudes, and in the third another vibration. Its size is 0.1 to 10 times as
+/// large.
+MotionLines vibration_at_another_speed(const MotionLines& lines, RandomStream& random,
+                                       response::spectrum::SpectrumWorkspace& workspace);
+
 }  // namespace rubsweep::diagnose

@@ -12,7 +12,9 @@ enum DrawPurpose : std::uint64_t {
   of_another_cause,
   of_kit,
   of_mean,
-  of_half
+  of_half,
+  of_further_start,
+  of_further_cause
 };
 
 /// Random numbers that depend on three numbers alone: a seed, the index of the drawn object, and the purpose,

@@ -1,15 +1,14 @@
 #include "rubsweep/measurement/diagnosis/diagnose_recording.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <numbers>
 #include <span>
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/diagnose/inference/kept_cases.hpp"
-#include "rubsweep/measurement/scope/waterfall.hpp"
 
 namespace rubsweep::diagnosis {
 namespace {
@@ -46,6 +45,34 @@ inference::CaseOptions case_options(const DiagnosisEffort& effort) {
           .on_cases = effort.on_motions};
 }
 
+/// Sets the speeds of further stretches, and says which stretches are compared.
+void tell_further_speeds(RecordedProblem& recorded) {
+  const std::span further = std::span(recorded.stretches).subspan(1);
+  if (further.empty()) return;
+  std::vector<std::string> speeds;
+  for (const Stretch& stretch : further) {
+    recorded.problem.further_speeds_hz.push_back(inference::simulated_speed_hz(stretch.speed_hz));
+    speeds.push_back(fmt::format("{:.4g} Hz", stretch.speed_hz));
+  }
+  recorded.remarks.push_back(
+      fmt::format("the speed changes: stretches of {} turns at {:.4g} Hz and at {} are compared",
+                  recorded.problem.turns, recorded.stretches.front().speed_hz, fmt::join(speeds, " and ")));
+}
+
+/// Features of all compared stretches. `lines`: those of the first.
+diagnose::features::DescribedMotion described(const RecordedProblem& recorded,
+                                              const diagnose::MotionLines& lines) {
+  response::spectrum::SpectrumWorkspace workspace;
+  const diagnose::features::View view = inference::view_of(recorded.problem.measuring);
+  diagnose::features::DescribedMotion seen = diagnose::features::describe(lines, view, workspace);
+  for (std::size_t k = 1; k < recorded.stretches.size(); ++k)
+    inference::add_further(
+        recorded.problem, k - 1,
+        diagnose::features::describe(lines_of(recorded.recording, recorded.stretches[k]), view, workspace),
+        seen);
+  return seen;
+}
+
 bool is_stopped(const DiagnosisEffort& effort) { return effort.stop && *effort.stop; }
 
 }  // namespace
@@ -53,40 +80,37 @@ bool is_stopped(const DiagnosisEffort& effort) { return effort.stop && *effort.s
 RecordedProblem recorded_problem(DiagnosedMachine machine, recording::Recording recording,
                                  const recording::Instrument& instrument,
                                  const DiagnosisQuestions& questions) {
-  if (recording.turns() < fewest_turns)
-    throw ConfigError(fmt::format("{}: has {} whole turns, allowed: {} or more", questions.name,
-                                  recording.turns(), fewest_turns));
   if (recording.place == recording::Place::casing)
     throw ConfigError(questions.name + ": is a recording of a casing, allowed: one of the shaft");
-  if (scope::speed_changes(recording))
-    throw ConfigError(questions.name + ": the speed changes, allowed: a steady one, or from_s and to_s");
-  const double speed_hz = inference::simulated_speed_hz(recording.mean_speed_hz());
+  std::vector<Stretch> stretches = compared_stretches(recording, questions.name);
+  const double recorded_hz = stretches.front().speed_hz;
+  const int turns = stretches.front().turns;
+  const double speed_hz = inference::simulated_speed_hz(recorded_hz);
   prepare_kits(questions.machine, speed_hz, machine);
   const config::dataset::CandidateFile& candidates = questions.candidates;
   RecordedProblem recorded{.recording = std::move(recording),
+                           .stretches = std::move(stretches),
                            .problem = {.candidates = candidates.candidates,
                                        .prior = candidates.prior,
                                        .fixed = machine.fixed,
                                        .eccentricity_m = candidates.eccentricity_m ? candidates.eccentricity_m
                                                                                    : machine.eccentricity_m,
                                        .speed_hz = speed_hz,
-                                       .turns = 0,
+                                       .turns = turns,
                                        .measuring = candidates.measuring,
                                        .seed = questions.seed},
                            .remarks = machine.remarks,
                            .text = machine.text};
   inference::DiagnosisProblem& problem = recorded.problem;
-  problem.turns = std::min(recorded.recording.turns(), most_turns);
+  tell_further_speeds(recorded);
   problem.measuring.probes = recorded.recording.plane ? 2 : 1;
-  problem.measuring.readings_per_turn =
-      recorded.recording.sampling_rate_hz / recorded.recording.mean_speed_hz();
+  problem.measuring.readings_per_turn = recorded.recording.sampling_rate_hz / recorded_hz;
   problem.measuring.directions = machine.fixed.kit && !machine.fixed.kit->same_all_around;
   problem.measuring.probe_angle_rad = instrument.probes.front().angle_deg * std::numbers::pi / 180;
   problem.measuring.from_rest = recorded.recording.from_rest;
   tell_machine(machine, questions.list, problem.candidates);
   const diagnose::Spread& natural_hz = machine.natural_frequency_hz;
-  problem.measuring.natural_order =
-      (natural_hz.low + natural_hz.high) / 2 / recorded.recording.mean_speed_hz();
+  problem.measuring.natural_order = (natural_hz.low + natural_hz.high) / 2 / recorded_hz;
   return recorded;
 }
 
@@ -105,28 +129,19 @@ inference::CaseSet simulated_motions(const RecordedProblem& recorded, const Diag
   return set;
 }
 
-diagnose::MotionLines lines_of(const RecordedProblem& recorded) {
-  response::spectrum::SpectrumWorkspace workspace;
-  const std::span all(recorded.recording.displacement_m);
-  return diagnose::lines_of(
-      all.last(static_cast<std::size_t>(recorded.problem.turns) * recording::samples_per_revolution),
-      recorded.problem.turns, inference::seen_order(recorded.problem.measuring), workspace);
-}
-
 std::optional<diagnose::answer::Answer> answer_of(const RecordedProblem& recorded, const std::string& name,
                                                   inference::CaseSet motions, const DiagnosisEffort& effort) {
   if (is_stopped(effort) && motions.cases.size() < fewest_motions) return std::nullopt;
   const inference::DiagnosisProblem& problem = recorded.problem;
-  const diagnose::MotionLines lines = lines_of(recorded);
-  response::spectrum::SpectrumWorkspace workspace;
-  const diagnose::features::DescribedMotion seen =
-      diagnose::features::describe(lines, inference::view_of(problem.measuring), workspace);
+  const double speed_hz = recorded.stretches.front().speed_hz;
+  const diagnose::MotionLines lines = lines_of(recorded.recording, recorded.stretches.front());
+  const diagnose::features::DescribedMotion seen = described(recorded, lines);
   const inference::Diagnosis diagnosis =
       inference::diagnose(problem, seen, {.cases = case_options(effort)}, std::move(motions));
   auto next = is_stopped(effort) ? std::vector<inference::NextMeasurement>{}
                                  : inference::next_measurements(problem, diagnosis, effort.threads);
   diagnose::answer::RecordingFacts facts{.name = name,
-                                         .speed_hz = recorded.recording.mean_speed_hz(),
+                                         .speed_hz = speed_hz,
                                          .turns = problem.turns,
                                          .probes = problem.measuring.probes,
                                          .size_m = seen.size_m,
@@ -136,7 +151,6 @@ std::optional<diagnose::answer::Answer> answer_of(const RecordedProblem& recorde
       diagnose::answer::answer_of(problem, diagnosis, seen, lines, std::move(facts), std::move(next));
   answer.interrupted = is_stopped(effort);
   const auto& probes = recorded.recording.probes;
-  const double speed_hz = recorded.recording.mean_speed_hz();
   answer.signs = diagnose::answer::foreign_signs(
       lines, {.speed_hz = speed_hz,
               .natural_frequency_hz = problem.measuring.natural_order * speed_hz,

@@ -11,21 +11,19 @@
 
 #include "rubsweep/measurement/dataset/read_candidates.hpp"
 #include "rubsweep/measurement/diagnose/answer/answer.hpp"
-#include "rubsweep/measurement/diagnose/observed_lines.hpp"
+#include "rubsweep/measurement/diagnosis/compared_stretches.hpp"
 #include "rubsweep/measurement/diagnosis/diagnosed_machine.hpp"
 #include "rubsweep/measurement/recording/instrument.hpp"
 #include "rubsweep/measurement/recording/recording.hpp"
 
 namespace rubsweep::diagnosis {
 
-/// Limits of the number of compared turns. 12 and 30 turns hold whole periods of many fractions of the speed.
-inline constexpr int most_turns = 30, fewest_turns = 12;
-
 /// A recording, and the problem that defines the motions it is compared with.
 struct RecordedProblem {
   recording::Recording recording{};
+  std::vector<Stretch> stretches{};  ///< compared_stretches of the recording
   diagnose::inference::DiagnosisProblem problem{};
-  std::vector<std::string> remarks{};  ///< sources of intervals that do not come from the file
+  std::vector<std::string> remarks{};  ///< compared speeds; sources of intervals other than the file
   std::string text{};                  ///< text of the machine's files as they were when read
 };
 
@@ -39,8 +37,8 @@ struct DiagnosisQuestions {
 };
 
 /// Combines a recording with the machine of `questions.machine`. Stops of a kit may stand anywhere between
-/// its supports and, on an anisotropic kit, at any angle. Throws ConfigError for fewer turns than
-/// `fewest_turns`, for a changing speed, and for positions that the machine does not have.
+/// its supports and, on an anisotropic kit, at any angle. Throws ConfigError like compared_stretches, and for
+/// positions that the machine does not have.
 RecordedProblem recorded_problem(DiagnosedMachine machine, recording::Recording recording,
                                  const recording::Instrument& instrument,
                                  const DiagnosisQuestions& questions);
@@ -65,9 +63,6 @@ std::optional<diagnose::inference::CaseSet> kept_motions(const RecordedProblem& 
 /// Simulates motions drawn from the priors, and keeps them unless the run was stopped. Throws IoError.
 diagnose::inference::CaseSet simulated_motions(const RecordedProblem& recorded,
                                                const DiagnosisEffort& effort);
-
-/// Lines of the last turns of the recording; the simulated motions are compared with them.
-diagnose::MotionLines lines_of(const RecordedProblem& recorded);
 
 /// Compares the motions with the recording. Empty if it was stopped before there were enough motions.
 std::optional<diagnose::answer::Answer> answer_of(const RecordedProblem& recorded, const std::string& name,

@@ -62,7 +62,6 @@ Probe read_probe(const yaml::Value& value) {
   if (const auto unit = section.find("unit")) probe.unit = read_text(*unit);
   section.field("range_v", probe.range_v, model::positive);
   section.field("rest", probe.rest, model::any_finite);
-  section.refuse_unknown_keys();
   return probe;
 }
 
@@ -74,7 +73,6 @@ Keyphasor read_keyphasor(const yaml::Value& value) {
   section.field("threshold", keyphasor.threshold, model::any_finite);
   section.field("hysteresis", keyphasor.hysteresis, model::not_negative);
   section.field("pulses_per_turn", keyphasor.pulses_per_turn, model::IntegerRange{1, most_pulses});
-  section.refuse_unknown_keys();
   return keyphasor;
 }
 
@@ -88,7 +86,6 @@ SpeedColumn read_speed(const yaml::Value& value) {
   yaml::Section section(value);
   read_column(section, "column", speed.column);
   if (const auto unit = section.find("unit")) speed.unit = read_text(*unit);
-  section.refuse_unknown_keys();
   return speed;
 }
 
@@ -99,7 +96,6 @@ RunOut read_run_out(const yaml::Value& value) {
   section.field("to_s", run_out.to_s, model::any_finite);
   constexpr Words<bool, 2> kinds{{"waveform", "vector"}, {false, true}};
   section.field("subtract", run_out.vector, kinds);
-  section.refuse_unknown_keys();
   return run_out;
 }
 
@@ -116,7 +112,6 @@ Sweep read_sweep(const yaml::Value& value) {
   Sweep sweep{model::required, model::required};
   section.field("from_hz", sweep.from_hz, model::positive);
   section.field("to_hz", sweep.to_hz, model::positive);
-  section.refuse_unknown_keys();
   return sweep;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <complex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,9 @@ struct Recording {
   std::vector<std::string> findings{};  ///< faults of the data: sentences without a full stop
 
   int turns() const { return static_cast<int>(turn_begin_s.size()) - 1; }
-  double mean_speed_hz() const { return turns() / (turn_begin_s.back() - turn_begin_s.front()); }
+  double mean_speed_hz() const { return mean_speed_hz(0, turns()); }
+  double mean_speed_hz(int first_turn, int turns) const;
+  std::span<const std::complex<double>> samples(int first_turn, int turns) const;
 };
 
 /// Makes a recording from the columns and the instrument's description, and subtracts the run-out of the

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 
 #include "rubsweep/core/error.hpp"
 

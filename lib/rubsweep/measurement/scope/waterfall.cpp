@@ -25,18 +25,12 @@ constexpr int most_spectra = 120;
 constexpr int spectrum_turns = 2 * history_turns;
 constexpr double most_waterfall_order = 8;
 
-std::span<const Complex> turns_of(const Recording& recording, int begin, int count) {
-  return std::span(recording.displacement_m)
-      .subspan(static_cast<std::size_t>(begin) * samples_per_revolution,
-               static_cast<std::size_t>(count) * samples_per_revolution);
-}
-
 /// Instant and speed in the middle of some turns.
 OrderPoint middle_of(const Recording& recording, int begin, int count) {
   const auto mark = [&](int turn) { return recording.turn_begin_s[static_cast<std::size_t>(turn)]; };
   const double middle_s =
       count % 2 == 0 ? mark(begin + count / 2) : (mark(begin + count / 2) + mark(begin + count / 2 + 1)) / 2;
-  return {middle_s, count / (mark(begin + count) - mark(begin))};
+  return {middle_s, recording.mean_speed_hz(begin, count)};
 }
 
 /// Means of x e^{-i angle} and y e^{-i angle} over whole periods; the signal's mean adds nothing to them.
@@ -76,7 +70,7 @@ std::vector<OrderPoint> order_history(const Recording& recording, double order, 
   const double step_rad = 2 * std::numbers::pi * order / samples_per_revolution;
   for (int begin = 0; begin + turns <= recording.turns(); ++begin) {
     points.push_back(middle_of(recording, begin, turns));
-    const std::span<const Complex> samples = turns_of(recording, begin, turns);
+    const std::span<const Complex> samples = recording.samples(begin, turns);
     const double begin_rad = 2 * std::numbers::pi * order * begin;
     if (windowed)
       add_component(response::spectrum::under_hann_window_of_growing(samples), step_rad, begin_rad,
@@ -115,7 +109,7 @@ std::string waterfall_csv(const Recording& recording) {
   for (int window = 0; window < windows; window += every) {
     const OrderPoint middle = middle_of(recording, window * history_turns, turns);
     const auto spectrum = response::spectrum::windowed_spectrum(
-        turns_of(recording, window * history_turns, turns), turns, workspace);
+        recording.samples(window * history_turns, turns), turns, workspace);
     for (int k = -last; k <= last; ++k) {
       if (k == 0) continue;
       text += fmt::format("{},{},{},{}\n", csv_number(middle.t_s), csv_number(middle.speed_hz),

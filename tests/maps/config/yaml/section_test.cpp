@@ -91,6 +91,20 @@ TEST(Section, RefusesAnUnknownKeyOnceAndNeverAKnownOne) {
             "f:1:15: top.zz: given again, first at line 1, allowed: each key once");
 }
 
+TEST(Section, RefusesUnknownKeysAtItsEndUnlessAllKeysAreAllowed) {
+  Fixture file("{a: 1, zz: 1}");
+  for (const bool allowed : {true, false}) {
+    {
+      Section section(file.value());
+      section.find("a");
+      if (allowed) section.allow_unknown_keys();
+      EXPECT_TRUE(section.is_sound());
+    }
+    EXPECT_EQ(file.diagnostics.count(), allowed ? 0U : 1U);
+  }
+  EXPECT_EQ(problems(file.diagnostics), "f:1:8: top.zz: unknown key, allowed: a");
+}
+
 TEST(Section, NamesTheLastOfTooManyAlternatives) {
   Fixture file("{c: 1, a: 1, b: 1}");
   Section section(file.value());

@@ -71,5 +71,23 @@ TEST_F(KeptCases, ServeSpeedsNearby) {
     EXPECT_LT(std::abs(simulated_speed_hz(speed_hz) / speed_hz - 1), 0.0026);
 }
 
+TEST_F(KeptCases, OfARunUpHaveTheMotionsAtAllSpeeds) {
+  DiagnosisProblem run_up = small_problem();
+  run_up.further_speeds_hz = {50, 80};
+  const std::string digest = cases_digest(run_up, few_cases());
+  EXPECT_NE(digest, digest_);
+  CaseSet set{{small_set().cases[0], small_set().cases[30]}};
+  for (SimulatedCase& one : set.cases) one.further = {small_set().cases[1].motion.lines, one.motion.lines};
+  keep_cases(directory_.path(), digest, set);
+  const auto again = kept_cases(directory_.path(), digest, run_up);
+  ASSERT_TRUE(again);
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      EXPECT_EQ(again->cases[i].further.at(k).amplitude, set.cases[i].further[k].amplitude);
+  // The same file does not serve a run-up of one further speed.
+  run_up.further_speeds_hz.pop_back();
+  EXPECT_FALSE(kept_cases(directory_.path(), digest, run_up));
+}
+
 }  // namespace
 }  // namespace rubsweep::diagnose::inference

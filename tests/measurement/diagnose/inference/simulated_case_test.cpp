@@ -123,5 +123,85 @@ TEST(SimulatedCase, IsObservedTheSameEveryTime) {
   EXPECT_NE(features::values_of(once.seen.features), features::values_of(other.seen.features));
 }
 
+/// |r^2 / (1 - r^2 + 2 i damping_ratio r)|: whirl of an unbalanced Jeffcott rotor over its eccentricity
+/// (textbooks, such as Muszynska, Rotordynamics, 2005), r being speed over natural frequency.
+double quiet_whirl(double r, double damping_ratio) {
+  return r * r / std::abs(std::complex<double>(1 - r * r, 2 * damping_ratio * r));
+}
+
+TEST(SimulatedCase, WhirlsAtAFurtherSpeedWithTheSameUnbalance) {
+  DiagnosisProblem problem = small_problem();
+  problem.further_speeds_hz = {45, 31};
+  response::spectrum::SpectrumWorkspace workspace;
+  for (const SimulatedCase& one : small_set().cases) {
+    if (one.candidate != 0) continue;
+    const auto again = simulate_case(problem, 0, one.unit, workspace);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->motion.lines.amplitude, one.motion.lines.amplitude);
+    ASSERT_EQ(again->further.size(), 2U);
+    const Point values = values_at(problem.candidates[0], one.unit);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double r = problem.further_speeds_hz[k] / value_of(values, Unknown::natural_frequency),
+                   expected_m =
+                       one.motion.eccentricity_m * quiet_whirl(r, value_of(values, Unknown::damping_ratio));
+      EXPECT_NEAR(std::abs(again->further[k].at(problem.turns)) / expected_m, 1, 1e-6);
+    }
+  }
+}
+
+TEST(SimulatedCase, AtTheSameSpeedRubsInTheSameWay) {
+  DiagnosisProblem problem = small_problem();
+  problem.further_speeds_hz = {problem.speed_hz};
+  response::spectrum::SpectrumWorkspace workspace;
+  int same = 0, quiet = 0, lost = 0;
+  for (const SimulatedCase& one : small_set().cases) {
+    if (one.candidate != 1) continue;
+    const auto again = simulate_case(problem, 1, one.unit, workspace);
+    if (!again) {
+      ++lost;
+      continue;
+    }
+    const MotionLines& lines = again->further[0];
+    // With the kick it rubs again; without it, it whirls quietly, unless its whirl touches the stop anyway.
+    double off_1x = 0;
+    for (int k = -lines.last(); k <= lines.last(); ++k)
+      if (k != 0 && k != lines.turns) off_1x += std::norm(lines.at(k));
+    if (off_1x < 1e-12 * size_of(lines) * size_of(lines))
+      ++quiet;
+    else if (std::abs(size_of(lines) / size_of(one.motion.lines) - 1) < 1e-2)
+      ++same;
+  }
+  EXPECT_GT(same, 8);
+  EXPECT_GT(quiet, 3);
+  RecordProperty("same_quiet_lost",
+                 std::to_string(same) + " " + std::to_string(quiet) + " " + std::to_string(lost));
+}
+
+TEST(SimulatedCase, IsObservedAtAllSpeedsByTheSameInstrument) {
+  DiagnosisProblem problem = small_problem();
+  problem.further_speeds_hz = {problem.speed_hz};
+  problem.measuring.noise_share = {0, 0};
+  problem.measuring.other_lines = {0, 0, 0};
+  problem.measuring.free_vibration = problem.measuring.gain_error = 0;
+  response::spectrum::SpectrumWorkspace workspace;
+  for (const int probes : {1, 2}) {
+    problem.measuring.probes = probes;
+    SimulatedCase one = small_set().cases[30];
+    one.further = {one.motion.lines};
+    for (auto& line : one.further[0].amplitude) line *= 2;
+    const features::Features seen = observe(problem, one, 30, workspace).seen.features;
+    ASSERT_EQ(seen.size() % 2, 0U);
+    const std::size_t half = seen.size() / 2 - 1;
+    EXPECT_EQ(seen[half].name, "size at 66 Hz");
+    EXPECT_NEAR(seen[half].value, std::log10(2), 1e-9);
+    EXPECT_EQ(seen[half + 1].name, "size off the resonance at 66 Hz");
+    EXPECT_NEAR(seen[half + 1].value, std::log10(2), 1e-9);
+    for (std::size_t k = 0; k < half; ++k) {
+      EXPECT_EQ(seen[half + 2 + k].name, seen[k].name + " at 66 Hz");
+      EXPECT_NEAR(seen[half + 2 + k].value, seen[k].value, 1e-6) << seen[k].name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rubsweep::diagnose::inference

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <complex>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "rubsweep/core/integrate/exact/drives.hpp"

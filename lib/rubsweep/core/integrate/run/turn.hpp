@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 

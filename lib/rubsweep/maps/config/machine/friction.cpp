@@ -123,7 +123,6 @@ model::Friction read_friction(const yaml::Value& value) {
     } else {
       friction = read_holding<model::StaticFriction>(section);
     }
-    section.refuse_unknown_keys();
     return friction;
   }
   section.require_exactly_one(first_keys());
@@ -143,7 +142,6 @@ model::Friction read_friction(const yaml::Value& value) {
       if (section.is_sound()) refuse_driving(section, model::name_of<Law>(), friction);
     }
   });
-  section.refuse_unknown_keys();
   return friction;
 }
 

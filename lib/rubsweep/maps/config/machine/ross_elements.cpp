@@ -259,17 +259,18 @@ AtNode<RossMass> read_ross_mass(const RossElement& element) {
 AtNode<RossSupport> read_ross_support(const RossElement& element, bool whirl_tables) {
   yaml::Section section(element.value);
   AtNode<RossSupport> support{{}, read_node(section), &element};
+  // Other classes also save the data that their coefficients were computed from.
+  const bool plain = element.type == "BearingElement" || element.type == "SealElement";
+  const bool refused = whirl_tables && refuse_whirl_table(section);
+  if (!plain || refused) section.allow_unknown_keys();
   // Motion along the axis and about it does not couple with bending.
   ignore(section, {"tag", "color", "scale_factor", "kzz", "czz", "mzz", "seal_leakage"});
-  if (whirl_tables && refuse_whirl_table(section)) return support;
+  if (refused) return support;
   read_coefficients(section, support.part.support);
   if (const auto link = given(section, "n_link")) {
     if (const auto node = yaml::read_integer(*link, node_numbers))
       support.part.linked_node = static_cast<int>(*node);
   }
-  // These classes also save the data that their coefficients were computed from.
-  const bool plain = element.type == "BearingElement" || element.type == "SealElement";
-  if (plain) section.refuse_unknown_keys();
   return support;
 }
 

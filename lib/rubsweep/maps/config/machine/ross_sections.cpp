@@ -104,7 +104,6 @@ RossSettings read_ross_settings(const yaml::Value& file) {
     for (const std::string_view ignored : {"min_w", "max_w", "rated_w", "tag", "default_damping_ratio"})
       parameters.find(ignored);
     read_damping(parameters, settings);
-    parameters.refuse_unknown_keys();
   }
   return settings;
 }

@@ -73,7 +73,6 @@ void read_rotor(const yaml::Value& value, model::Machine& machine) {
   } else {
     machine.rotor = read_jeffcott(section);
   }
-  section.refuse_unknown_keys();
 }
 
 keys::Form rotor_form() {

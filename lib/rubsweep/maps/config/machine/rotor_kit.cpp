@@ -57,7 +57,6 @@ std::vector<Part> read_parts(const yaml::Value& list, const model::Range& range,
     Part& part = parts.emplace_back();
     read_part(section, part, range);
     more(section, part);
-    section.refuse_unknown_keys();
   }
   return parts;
 }

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <utility>
 
 #include "rubsweep/core/model/disc_geometry.hpp"

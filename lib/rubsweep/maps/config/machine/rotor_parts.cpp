@@ -52,7 +52,6 @@ void read_segment(yaml::Section& section, model::ShaftSegment& segment) {
     yaml::Section layer(item);
     read_fields(layer, segment.layers.emplace_back());
     read_words(layer, segment.layers.back());
-    layer.refuse_unknown_keys();
   }
 }
 
@@ -81,7 +80,6 @@ model::Bow read_bow(const yaml::Value& value, const model::Range& range) {
     bow.shape = read_bow_points(section, range);
   }
   section.field("phase_deg", bow.phase_deg, model::any_finite);
-  section.refuse_unknown_keys();
   return bow;
 }
 
@@ -128,7 +126,6 @@ model::BearingFault read_bearing_fault(const yaml::Value& value) {
     fault.multiple = read_strikes(*bearing).value_or(1);
   }
   read_fields(section, fault);
-  section.refuse_unknown_keys();
   return fault;
 }
 

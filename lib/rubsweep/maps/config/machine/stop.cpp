@@ -200,7 +200,6 @@ model::Stop read_stop(const yaml::Value& value, const std::optional<model::Range
   if (const auto friction = section.find("friction")) stop.friction = read_friction(*friction);
   if (const auto casing = section.find("casing")) stop.casing = read_casing(*casing);
   if (const auto given = section.find("name")) name = read_text(*given).value_or("");
-  section.refuse_unknown_keys();
   return stop;
 }
 

@@ -163,7 +163,6 @@ AxisValues read_axis(const yaml::Value& value, const model::Range& range, double
   }
   yaml::Section section(value, axis_forms);
   AxisValues result = read_axis_values(section, range, units_per_si);
-  section.refuse_unknown_keys();
   return result;
 }
 
@@ -223,7 +222,6 @@ std::vector<sweep::KeyAxis> read_key_axes(yaml::Section& sweep) {
     yaml::Section section(*value, key_axis_forms);
     if (!section.is_map()) continue;
     sweep::KeyAxis axis = read_key_axis(section);
-    section.refuse_unknown_keys();
     refuse_keys_of_two_axes(*value, axis, taken);
     axes.push_back(std::move(axis));
   }

@@ -28,7 +28,6 @@ std::vector<std::optional<model::BodyState>> read_casings(const yaml::Value& val
     if (!stops[i].casing) refuse(*casing, "is of a rigid casing, which has no state", "a casing that moves");
     read_map(*casing, casings[i].emplace());
   }
-  section.refuse_unknown_keys();
   return casings;
 }
 
@@ -51,7 +50,6 @@ model::Start read_start(const yaml::Value& value, const std::vector<model::Stop>
   yaml::Section section(value, start_forms);
   read_fields(section, start.rotor);
   if (const auto casings = section.find("casings")) start.casings = read_casings(*casings, stops);
-  section.refuse_unknown_keys();
   return start;
 }
 

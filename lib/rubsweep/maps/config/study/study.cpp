@@ -52,7 +52,6 @@ void read_response(const yaml::Value& value, sweep::Study& study) {
       section.refuse(name, "says nothing without robustness: probability", "no such key");
   });
   if (section.is_sound()) refuse_contradictions(section, study.response);
-  section.refuse_unknown_keys();
 }
 
 keys::Form response_form() {
@@ -90,7 +89,6 @@ SolverOptions read_solver(const yaml::Value& value, std::size_t stops) {
     section.refuse("method", fmt::format("is exact beside {} stops", stops),
                    fmt::format("auto or adaptive, or at most {} stops", most));
   }
-  section.refuse_unknown_keys();
   return solver;
 }
 
@@ -102,7 +100,6 @@ model::Kick read_kick(const yaml::Value& value, const std::optional<model::Range
   model::Kick kick;
   read_fields(section, kick);
   if (places) section.field("position_m", kick.position_m, *places);
-  section.refuse_unknown_keys();
   return kick;
 }
 
@@ -117,9 +114,11 @@ keys::Form kick_form() {
 /// speed.
 void refuse_endless_kick(const yaml::Value& value, const model::Kick& kick, double longest_run_s) {
   if (kick.force_n == 0 || kick.duration_s < longest_run_s) return;
-  yaml::Section(value).refuse(
-      "duration_s", fmt::format("{} s are no shorter than a run, {:.4g} s", kick.duration_s, longest_run_s),
-      "less than response.max_revolutions / speed");
+  yaml::Section section(value);
+  section.allow_unknown_keys();
+  section.refuse("duration_s",
+                 fmt::format("{} s are no shorter than a run, {:.4g} s", kick.duration_s, longest_run_s),
+                 "less than response.max_revolutions / speed");
 }
 
 void print_kick(yaml::Printer& printer, std::string_view name, const model::Kick& kick) {

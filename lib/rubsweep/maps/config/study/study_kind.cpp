@@ -54,7 +54,6 @@ sweep::DrawnKey read_drawn_key(const yaml::Value& value) {
                               "a logarithmic scale has no place for 0 or less", "from and to > 0");
     }
   }
-  section.refuse_unknown_keys();
   return drawn;
 }
 
@@ -81,10 +80,9 @@ sweep::BasinSampling read_basin(yaml::Section& section) {
 void read_study_kind(const yaml::Value& value, sweep::Study& study) {
   yaml::Section section(value);
   const auto kind = section.require_kind("kind", kinds);
-  if (!kind) return;
+  if (!kind) return section.allow_unknown_keys();
   if (kinds[*kind] == threshold_kind) study.threshold = read_threshold(section);
   if (kinds[*kind] == basin_kind) study.basin = read_basin(section);
-  section.refuse_unknown_keys();
 }
 
 keys::Form study_form() {

@@ -159,7 +159,6 @@ sweep::Grid read_sweep(const yaml::Value& value, const model::Machine& machine) 
   grid.axes = read_key_axes(section);
   if (const auto refine = section.find("refine")) read_map(*refine, grid.refinement.emplace());
   if (grid.refinement) refuse_disorder(section, grid);
-  section.refuse_unknown_keys();
   std::string product = fmt::format("{} x {}", grid.speed_hz.size(), grid.unbalance.size());
   // Computed as a double, since the product of five long axes may exceed the range of integers.
   auto cells = static_cast<double>(grid.speed_hz.size()) * static_cast<double>(grid.unbalance.size());

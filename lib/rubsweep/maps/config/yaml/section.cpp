@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "rubsweep/maps/config/yaml/alternatives.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
@@ -96,7 +97,8 @@ std::optional<std::size_t> Section::require_kind(std::string_view name,
   return value ? read_word(*value, kinds) : std::nullopt;
 }
 
-void Section::refuse_unknown_keys() const {
+void Section::refuse_unknown_keys() {
+  if (!std::exchange(refuses_unknown_, false)) return;
   std::set<std::string_view> unknown;
   for (const Node::Key& key : value_.node.keys) {
     if (std::find(known_.begin(), known_.end(), key.text) != known_.end()) continue;
@@ -104,7 +106,7 @@ void Section::refuse_unknown_keys() const {
     const auto meant = nearest(key.text, known_);
     std::string hint = meant ? fmt::format(" (did you mean '{}'?)", *meant) : "";
     if (const auto blank = find_foreign_blank(key.text))
-      hint = " with " + describe_character(std::string_view(key.text).substr(*blank)) + hint;
+      hint = fmt::format(" with {}{}", describe_character(std::string_view(key.text).substr(*blank)), hint);
     value_.diagnostics.add(key.place, path_of(key.text), "unknown key" + hint, describe(known_));
   }
 }

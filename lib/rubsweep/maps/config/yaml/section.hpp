@@ -21,6 +21,9 @@ class Section {
   /// Refuses repeated keys, and a value that is not a map: such a section finds no key and requires none.
   /// `allowed` describes the possible content in words.
   explicit Section(const Value& value, std::string_view allowed = "a map");
+  ~Section() { refuse_unknown_keys(); }
+  Section(const Section&) = delete;
+  Section& operator=(const Section&) = delete;
 
   /// False where the value is not a map; problems of its contents then need not be reported.
   bool is_map() const { return value_.node.kind == Node::Kind::map; }
@@ -81,7 +84,6 @@ class Section {
     if (!value) return;
     Section inner(*value);
     visit(inner);
-    inner.refuse_unknown_keys();
   }
 
   /// Reads keys that are allowed only if `holds` is true: only with certain words of another key.
@@ -93,7 +95,10 @@ class Section {
   /// Index of the given word in `kinds`; the key must be given.
   std::optional<std::size_t> require_kind(std::string_view name, std::span<const std::string_view> kinds);
 
-  void refuse_unknown_keys() const;  ///< Refuses every key that was never looked for. Call it last.
+  /// Refuses every key that was never looked for. Call it after the last key where the keys are then checked
+  /// together; otherwise the end of the section does it.
+  void refuse_unknown_keys();
+  void allow_unknown_keys() { refuses_unknown_ = false; }
 
   /// Reports a problem that several keys cause together. It is reported under `name`, at the place of the
   /// last of the keys `involved`.
@@ -114,6 +119,7 @@ class Section {
   Value value_;
   std::size_t problems_before_;
   std::vector<std::string_view> known_;
+  bool refuses_unknown_ = true;
 };
 
 /// Reads every field that the struct's own list names.
@@ -127,7 +133,6 @@ template <class Struct>
 void read_map(const Value& value, Struct& target, std::string_view allowed = "a map") {
   Section section(value, allowed);
   read_fields(section, target);
-  section.refuse_unknown_keys();
 }
 
 }  // namespace rubsweep::config::yaml

@@ -6,9 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "rubsweep/measurement/diagnose/candidate.hpp"
 #include "rubsweep/measurement/diagnose/inference/simulated_case.hpp"
-#include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose::inference {
 

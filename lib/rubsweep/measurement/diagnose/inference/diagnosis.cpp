@@ -1,6 +1,5 @@
 #include "rubsweep/measurement/diagnose/inference/diagnosis.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>

@@ -39,34 +39,28 @@ std::string head_of(const std::string& digest, std::string_view body) {
   return fmt::format("rubdiagnose cases {} {}\n", digest, batch::sha256_of(body));
 }
 
-void put_case(const SimulatedCase& one, std::string& bytes) {
-  put(bytes, static_cast<std::uint32_t>(one.candidate));
-  for (const double place : one.unit) put(bytes, place);
-  const response::motion::ContactFacts& facts = one.motion.contact;
-  put(bytes, static_cast<std::int32_t>(facts.hits));
-  for (const double number : {facts.contact_fraction, facts.peak_displacement_m, facts.peak_contact_force_n,
-                              facts.peak_casing_displacement_m, one.motion.eccentricity_m})
-    put(bytes, number);
-  for (const std::complex<double>& line : one.motion.lines.amplitude) {
-    put(bytes, line.real());
-    put(bytes, line.imag());
-  }
+/// Calls `pass` with each number of a case, in the order of the file.
+void visit_numbers(auto& one, auto&& pass) {
+  const auto visit_lines = [&](auto& lines) {
+    auto* numbers = reinterpret_cast<double*>(const_cast<std::complex<double>*>(lines.amplitude.data()));
+    for (Eigen::Index k = 0; k < 2 * lines.amplitude.size(); ++k) pass(numbers[k]);
+  };
+  auto& facts = one.motion.contact;
+  pass(one.candidate);
+  for (auto& place : one.unit) pass(place);
+  pass(facts.hits);
+  for (auto* number : {&facts.contact_fraction, &facts.peak_displacement_m, &facts.peak_contact_force_n,
+                       &facts.peak_casing_displacement_m, &one.motion.eccentricity_m})
+    pass(*number);
+  visit_lines(one.motion.lines);
+  for (auto& lines : one.further) visit_lines(lines);
 }
 
-SimulatedCase get_case(matlab::Bytes& bytes, int turns) {
+/// A case whose numbers are not read yet.
+SimulatedCase empty_case(const DiagnosisProblem& problem) {
   SimulatedCase one;
-  one.candidate = bytes.number<std::uint32_t>();
-  for (double& place : one.unit) place = bytes.number<double>();
-  response::motion::ContactFacts& facts = one.motion.contact;
-  facts.hits = bytes.number<std::int32_t>();
-  for (double* number : {&facts.contact_fraction, &facts.peak_displacement_m, &facts.peak_contact_force_n,
-                         &facts.peak_casing_displacement_m, &one.motion.eccentricity_m})
-    *number = bytes.number<double>();
-  one.motion.lines = {turns, Eigen::VectorXcd(2 * static_cast<int>(most_order * turns) + 1)};
-  for (std::complex<double>& line : one.motion.lines.amplitude) {
-    const double real = bytes.number<double>();
-    line = {real, bytes.number<double>()};
-  }
+  one.motion.lines = {problem.turns, Eigen::VectorXcd(2 * static_cast<int>(most_order * problem.turns) + 1)};
+  one.further.resize(problem.further_speeds_hz.size(), one.motion.lines);
   return one;
 }
 
@@ -86,6 +80,7 @@ std::string cases_digest(const DiagnosisProblem& problem, const CaseOptions& opt
   const auto add = [&](const Spread& spread) {
     text += fmt::format(" {}:{}:{}:{}", spread.low, spread.high, spread.logarithmic, spread.at_low);
   };
+  for (const double speed_hz : problem.further_speeds_hz) text += fmt::format(" {}\n", speed_hz);
   for (const Candidate& candidate : problem.candidates) {
     text += fmt::format("{}", to_string(candidate.cause));
     for (const Spread& spread : candidate.spreads) add(spread);
@@ -98,7 +93,7 @@ std::string cases_digest(const DiagnosisProblem& problem, const CaseOptions& opt
 void keep_cases(const std::filesystem::path& directory, const std::string& digest, const CaseSet& set) {
   std::string body;
   put(body, static_cast<std::uint64_t>(set.cases.size()));
-  for (const SimulatedCase& one : set.cases) put_case(one, body);
+  for (const SimulatedCase& one : set.cases) visit_numbers(one, [&](auto number) { put(body, number); });
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw IoError(fmt::format("{}: {}", directory.string(), error.message()));
@@ -118,7 +113,8 @@ std::optional<CaseSet> kept_cases(const std::filesystem::path& directory, const 
     matlab::Bytes numbers(body, false);
     CaseSet set;
     for (auto left = numbers.number<std::uint64_t>(); left > 0; --left)
-      set.cases.push_back(get_case(numbers, problem.turns));
+      visit_numbers(set.cases.emplace_back(empty_case(problem)),
+                    [&]<class Number>(Number& number) { number = numbers.number<Number>(); });
     if (numbers.left() == 0) return set;
   } catch (const matlab::FileError&) {
   }

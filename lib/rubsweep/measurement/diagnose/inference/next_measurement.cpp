@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/measurement/diagnose/forest/forest.hpp"
 
@@ -46,29 +45,6 @@ std::vector<std::size_t> draw_cases(const Diagnosis& diagnosis) {
   return drawn;
 }
 
-/// Motion of a case's machine under another measurement: its rub, or its quiet whirl where it does not rub.
-std::optional<LastingMotion> run_again(const DiagnosisProblem& problem, const SimulatedCase& one,
-                                       response::spectrum::SpectrumWorkspace& workspace) {
-  const Candidate& candidate = problem.candidates[one.candidate];
-  const scene::Eccentricity unbalance{one.motion.eccentricity_m};
-  const auto machine_of = [&](Cause cause) {
-    return drawn_machine(cause, values_at(candidate, one.unit), simulated_clearance_m(candidate),
-                         problem.fixed);
-  };
-  try {
-    std::optional<LastingMotion> motion;
-    if (candidate.cause != Cause::no_rub)
-      motion =
-          rubbing_motion(machine_of(candidate.cause), problem.speed_hz, unbalance, problem.turns, workspace);
-    if (!motion)
-      motion = motion_without_contact(machine_of(Cause::no_rub), problem.speed_hz, unbalance, problem.turns,
-                                      workspace);
-    return motion;
-  } catch (const ConfigError&) {
-    return std::nullopt;
-  }
-}
-
 double information_of(const DiagnosisProblem& changed, const Diagnosis& diagnosis,
                       const std::vector<std::size_t>& drawn, int threads) {
   std::vector<std::optional<Eigen::VectorXd>> seen(drawn.size());
@@ -76,8 +52,9 @@ double information_of(const DiagnosisProblem& changed, const Diagnosis& diagnosi
     if (first > 0 && drawn[first] == drawn[first - 1]) return;
     thread_local response::spectrum::SpectrumWorkspace workspace;
     SimulatedCase again = diagnosis.set.cases[drawn[first]];
-    auto motion = run_again(changed, again, workspace);
+    auto motion = run_again(changed, again, changed.speed_hz, changed.turns, true, workspace);
     if (!motion) return;
+    again.further.clear();
     again.motion = *std::move(motion);
     // A case with a large weight is drawn several times in a row, and measured each time.
     for (std::size_t k = first; k < drawn.size() && drawn[k] == drawn[first]; ++k)
@@ -116,19 +93,20 @@ std::vector<NextMeasurement> next_measurements(const DiagnosisProblem& problem, 
   const std::vector<std::size_t> drawn = draw_cases(diagnosis);
   if (drawn.empty()) return {};
   std::vector<std::pair<std::string, DiagnosisProblem>> options;
+  DiagnosisProblem alone = problem;
+  alone.further_speeds_hz.clear();
   for (const double factor : {0.9, 1.1}) {
-    DiagnosisProblem changed = problem;
+    DiagnosisProblem changed = alone;
     changed.speed_hz *= factor;
-    changed.measuring.readings_per_turn /= factor;
-    changed.measuring.natural_order /= factor;
+    changed.measuring = at_speed(changed.measuring, factor);
     options.emplace_back(fmt::format("at {:.4g} Hz ({:.0f} rpm)", changed.speed_hz, 60 * changed.speed_hz),
                          changed);
   }
-  DiagnosisProblem longer = problem;
+  DiagnosisProblem longer = alone;
   longer.turns *= 4;
   options.emplace_back(fmt::format("{} turns instead of {}", longer.turns, problem.turns), longer);
   if (problem.measuring.probes == 1) {
-    DiagnosisProblem second = problem;
+    DiagnosisProblem second = alone;
     second.measuring.probes = 2;
     options.emplace_back("a second probe", second);
   }

@@ -92,12 +92,17 @@ Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::s
   batch::parallel_run(count, threads, [&](std::size_t k) {
     thread_local response::spectrum::SpectrumWorkspace workspace;
     RandomStream random(problem.seed, k, DrawPurpose::of_another_cause);
-    MotionLines lines =
-        up_to(vibration_of_another_cause(problem.turns, random, workspace), seen_order(problem.measuring));
+    MotionLines lines = vibration_of_another_cause(problem.turns, random, workspace);
     if (problem.measuring.from_rest) lines.at(0) = mean_of_another_cause(problem.seed, k);
-    double probe_angle_rad = 0;
-    const MotionLines seen = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
-    rows[k] = features::values_of(features::describe(seen, view_of(problem.measuring), workspace).features);
+    ObservedCase observation;
+    const MotionLines seen = diagnose::observed(up_to(lines, seen_order(problem.measuring)),
+                                                problem.measuring, random, observation.probe_angle_rad);
+    observation.seen = features::describe(seen, view_of(problem.measuring), workspace);
+    RandomStream elsewhere(problem.seed, k, DrawPurpose::of_further_cause);
+    for (std::size_t stretch = 0; stretch < problem.further_speeds_hz.size(); ++stretch)
+      observe_further(problem, stretch, vibration_at_another_speed(lines, elsewhere, workspace),
+                      size_of(lines), elsewhere, observation, workspace);
+    rows[k] = features::values_of(observation.seen.features);
   });
   Eigen::MatrixXd features(static_cast<Eigen::Index>(count), rows.front().size());
   for (std::size_t k = 0; k < count; ++k) features.row(static_cast<Eigen::Index>(k)) = rows[k].transpose();

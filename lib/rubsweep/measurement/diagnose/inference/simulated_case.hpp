@@ -25,7 +25,12 @@ struct DiagnosisProblem {
   int turns = 0;         ///< turns of the shaft in the recording
   Measuring measuring{};
   std::uint64_t seed = 1;
+  /// Speeds of further stretches of a run-up, as many turns each. The machine and its unbalance are the same.
+  std::vector<double> further_speeds_hz{};
 };
+
+/// The same instrument while the shaft turns `factor` times as fast.
+Measuring at_speed(Measuring measuring, double factor);
 
 inline features::View view_of(const Measuring& measuring) {
   return {measuring.probes == 2, measuring.directions, measuring.from_rest};
@@ -43,6 +48,7 @@ struct SimulatedCase {
   std::size_t candidate = 0;
   Point unit{};  ///< place of its unknowns in the unit cube
   LastingMotion motion{};
+  std::vector<MotionLines> further{};  ///< lines at DiagnosisProblem::further_speeds_hz
 };
 
 /// Clearance at which cases are simulated: geometric mean of the candidate's bounds, m.
@@ -50,16 +56,35 @@ double simulated_clearance_m(const Candidate& candidate);
 
 /// Simulates a candidate at a point of the unit cube. Empty where the machine does not rub (for no_rub: where
 /// it rubs), where it cannot be simulated, or where the penetration exceeds usual_penetration_ratio, which no
-/// machine survives.
+/// machine survives. At a further speed the kick acts again in every second case; where the machine does not
+/// rub it whirls quietly.
 std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std::size_t candidate,
                                            const Point& unit,
                                            response::spectrum::SpectrumWorkspace& workspace);
+
+/// Motion of a case's machine at another speed or over more turns: its rub, or its quiet whirl where it does
+/// not rub. `kicked`: whether the kick acts again. Empty where neither can be simulated, and where it rubs
+/// too deep.
+std::optional<LastingMotion> run_again(const DiagnosisProblem& problem, const SimulatedCase& one,
+                                       double speed_hz, int turns, bool kicked,
+                                       response::spectrum::SpectrumWorkspace& workspace);
+
+/// Adds the features of a further stretch, and two of its size: over that at the first speed, and how far
+/// this is from the growth of a quiet whirl.
+void add_further(const DiagnosisProblem& problem, std::size_t stretch,
+                 const features::DescribedMotion& further, features::DescribedMotion& seen);
 
 /// A case as the instrument measures it. It depends on the problem, the case and its index alone.
 struct ObservedCase {
   features::DescribedMotion seen{};
   double probe_angle_rad = 0;  ///< angle of a single probe from the stop's direction
 };
+/// Adds a further stretch of a run-up with these lines as the same instrument measures it. `usual_size_m`: as
+/// in diagnose::observed, the size of the motion at the first speed.
+void observe_further(const DiagnosisProblem& problem, std::size_t stretch, const MotionLines& lines,
+                     double usual_size_m, RandomStream& random, ObservedCase& observation,
+                     response::spectrum::SpectrumWorkspace& workspace);
+
 ObservedCase observe(const DiagnosisProblem& problem, const SimulatedCase& simulated, std::size_t index,
                      response::spectrum::SpectrumWorkspace& workspace);
 

@@ -1,6 +1,5 @@
 #include "rubsweep/core/integrate/exact/tube/turn_tube.hpp"
 
-#include <algorithm>
 #include <limits>
 
 namespace rubsweep::integrate::exact::tube {

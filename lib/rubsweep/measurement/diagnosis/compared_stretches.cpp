@@ -1,0 +1,105 @@
+#include "rubsweep/measurement/diagnosis/compared_stretches.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/measurement/diagnose/features/line_features.hpp"
+#include "rubsweep/measurement/diagnose/inference/simulated_case.hpp"
+#include "rubsweep/measurement/scope/waterfall.hpp"
+
+namespace rubsweep::diagnosis {
+namespace {
+
+using recording::Recording;
+
+/// Lines by which the order of a fixed frequency near 1X moves in a stretch, from the speeds of its halves.
+double moved_lines(const Recording& recording, const Stretch& stretch) {
+  const int half = stretch.turns / 2;
+  const double first_hz = recording.mean_speed_hz(stretch.first_turn, half),
+               second_hz = recording.mean_speed_hz(stretch.first_turn + half, half);
+  return std::abs(std::log(second_hz / first_hz)) / half * stretch.turns * stretch.turns;
+}
+
+/// Whether both halves of a stretch have similar sizes.
+bool keeps_its_size(const Recording& recording, const Stretch& stretch) {
+  constexpr double most = 1.2;
+  const int half = stretch.turns / 2;
+  const double first_m = diagnose::size_of(recording.samples(stretch.first_turn, half)),
+               second_m = diagnose::size_of(recording.samples(stretch.first_turn + half, half));
+  return std::max(first_m, second_m) <= most * std::min(first_m, second_m);
+}
+
+/// Stretches of so many turns, each half a stretch later than the last, in which the speed hardly changes.
+std::vector<Stretch> steady_stretches(const Recording& recording, int turns) {
+  constexpr double most_moved_lines = 0.6;
+  std::vector<Stretch> stretches;
+  for (int first = 0; first + turns <= recording.turns(); first += turns / 2) {
+    const Stretch stretch{first, turns, recording.mean_speed_hz(first, turns)};
+    if (moved_lines(recording, stretch) <= most_moved_lines) stretches.push_back(stretch);
+  }
+  return stretches;
+}
+
+/// Share of the energy off +-1X, less in motions that are much smaller than `usual_m`: there it may be noise.
+double seen_off_1x(const Recording& recording, const Stretch& stretch, double usual_m) {
+  constexpr int line_bins = 2;
+  const diagnose::MotionLines lines = lines_of(recording, stretch);
+  const diagnose::features::HannEnergy energy(lines, recording.plane);
+  const double size_m = size_of(lines);
+  return (1 - energy.near(1, line_bins) - energy.near(-1, line_bins)) * size_m * size_m /
+         (size_m * size_m + usual_m * usual_m);
+}
+
+}  // namespace
+
+std::vector<Stretch> compared_stretches(const Recording& recording, const std::string& name) {
+  constexpr std::size_t most_stretches = 3;
+  constexpr double most_covered = 0.8, least_apart = 0.05;
+  const int all = recording.turns();
+  if (all < fewest_turns)
+    throw ConfigError(fmt::format("{}: has {} whole turns, allowed: {} or more", name, all, fewest_turns));
+  const int last = std::min(all, most_turns);
+  if (!scope::speed_changes(recording)) return {{all - last, last, recording.mean_speed_hz()}};
+  std::vector<Stretch> stretches;
+  for (int turns = last; turns >= fewest_turns; --turns) {
+    stretches = steady_stretches(recording, turns);
+    if (static_cast<double>(stretches.size()) * turns / 2 >= most_covered * (all - turns)) break;
+  }
+  if (stretches.empty())
+    throw ConfigError(
+        fmt::format("{}: the speed changes by 5 % or more in {} turns, allowed: a steady one, a "
+                    "slower run-up, or from_s and to_s",
+                    name, fewest_turns));
+  const auto steady = [&](const Stretch& stretch) { return keeps_its_size(recording, stretch); };
+  if (std::ranges::any_of(stretches, steady))
+    std::erase_if(stretches, [&](const Stretch& stretch) { return !steady(stretch); });
+  const double usual_m = diagnose::size_of(recording.samples(0, all));
+  std::vector<Stretch> taken{*std::ranges::max_element(
+      stretches, {}, [&](const Stretch& stretch) { return seen_off_1x(recording, stretch, usual_m); })};
+  const auto apart = [&](const Stretch& stretch) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Stretch& other : taken)
+      least = std::min(least, std::abs(std::log(stretch.speed_hz / other.speed_hz)));
+    return least;
+  };
+  while (taken.size() < most_stretches) {
+    const Stretch& farthest = *std::ranges::max_element(stretches, {}, apart);
+    if (apart(farthest) < least_apart) break;
+    taken.push_back(farthest);
+  }
+  return taken;
+}
+
+diagnose::MotionLines lines_of(const Recording& recording, const Stretch& stretch) {
+  response::spectrum::SpectrumWorkspace workspace;
+  const double order =
+      diagnose::inference::seen_order({.readings_per_turn = recording.sampling_rate_hz / stretch.speed_hz});
+  return diagnose::lines_of(recording.samples(stretch.first_turn, stretch.turns), stretch.turns, order,
+                            workspace);
+}
+
+}  // namespace rubsweep::diagnosis
