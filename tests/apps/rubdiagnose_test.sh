@@ -295,7 +295,7 @@ END
 refuse 'ramp.csv: the speed changes by 5 % or more in 12 turns' ramp.csv --machine machine.yaml --instrument run.yaml
 for threads in 1 2; do
   expect_exit 0 slow.csv "${quickest[@]:1}" --instrument run.yaml --threads $threads --table slow_cases$threads --output slow$threads
-  expect_contains stdout 'the speed changes: stretches of 30 turns at '
+  expect_contains stdout 'the speed changes: stretches of 23 turns at '
 done
 expect_same slow1/diagnosis.json slow2/diagnosis.json
 expect_exit 3 missing.csv --machine machine.yaml --instrument run.yaml --output none

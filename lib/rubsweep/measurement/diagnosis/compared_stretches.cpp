@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
+#include <ranges>
+#include <span>
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/diagnose/features/line_features.hpp"
@@ -54,6 +57,20 @@ double seen_off_1x(const Recording& recording, const Stretch& stretch, double us
          (size_m * size_m + usual_m * usual_m);
 }
 
+/// The motion without the linear growth of its mean and of its lines at +-1X, by least squares: in a run-up
+/// these change with the speed.
+Eigen::VectorXcd without_growth(std::span<const std::complex<double>> samples, int turns) {
+  const Eigen::Map<const Eigen::VectorXcd> all(samples.data(), static_cast<Eigen::Index>(samples.size()));
+  const double last = 1 - 2 / static_cast<double>(all.size());
+  const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(all.size(), -1, last);
+  Eigen::MatrixXcd lines(all.size(), 6);
+  for (const int order : {-1, 0, 1})
+    lines.col(order + 1) = (std::complex<double>(0, order * std::numbers::pi * turns) * time).exp();
+  lines.rightCols<3>() = time.matrix().asDiagonal() * lines.leftCols<3>();
+  const Eigen::VectorXcd amplitude = lines.householderQr().solve(all);
+  return all - lines.rightCols<3>() * amplitude.tail<3>();
+}
+
 }  // namespace
 
 std::vector<Stretch> compared_stretches(const Recording& recording, const std::string& name) {
@@ -81,10 +98,9 @@ std::vector<Stretch> compared_stretches(const Recording& recording, const std::s
   std::vector<Stretch> taken{*std::ranges::max_element(
       stretches, {}, [&](const Stretch& stretch) { return seen_off_1x(recording, stretch, usual_m); })};
   const auto apart = [&](const Stretch& stretch) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Stretch& other : taken)
-      least = std::min(least, std::abs(std::log(stretch.speed_hz / other.speed_hz)));
-    return least;
+    return std::ranges::min(taken | std::views::transform([&](const Stretch& other) {
+                              return std::abs(std::log(stretch.speed_hz / other.speed_hz));
+                            }));
   };
   while (taken.size() < most_stretches) {
     const Stretch& farthest = *std::ranges::max_element(stretches, {}, apart);
@@ -98,8 +114,10 @@ diagnose::MotionLines lines_of(const Recording& recording, const Stretch& stretc
   response::spectrum::SpectrumWorkspace workspace;
   const double order =
       diagnose::inference::seen_order({.readings_per_turn = recording.sampling_rate_hz / stretch.speed_hz});
-  return diagnose::lines_of(recording.samples(stretch.first_turn, stretch.turns), stretch.turns, order,
-                            workspace);
+  const std::span<const std::complex<double>> samples = recording.samples(stretch.first_turn, stretch.turns);
+  if (!scope::speed_changes(recording)) return diagnose::lines_of(samples, stretch.turns, order, workspace);
+  const Eigen::VectorXcd steady = without_growth(samples, stretch.turns);
+  return diagnose::lines_of(std::span(steady.data(), samples.size()), stretch.turns, order, workspace);
 }
 
 }  // namespace rubsweep::diagnosis

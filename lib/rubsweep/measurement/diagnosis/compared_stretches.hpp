@@ -25,7 +25,8 @@ struct Stretch {
 /// than fewest_turns, and where the speed changes faster.
 std::vector<Stretch> compared_stretches(const recording::Recording& recording, const std::string& name);
 
-/// Lines of a stretch, up to the largest order that its readings show.
+/// Lines of a stretch, up to the largest order that its readings show. If the speed of the recording changes,
+/// the linear growth of the mean and of the lines at +-1X is subtracted first.
 diagnose::MotionLines lines_of(const recording::Recording& recording, const Stretch& stretch);
 
 }  // namespace rubsweep::diagnosis

@@ -149,17 +149,6 @@ void correct_run_out(const RunOut& described, const ShaftTurns& all, const Readi
 
 }  // namespace
 
-double Recording::mean_speed_hz(int first_turn, int turns) const {
-  const auto first = turn_begin_s.begin() + first_turn;
-  return turns / (first[turns] - first[0]);
-}
-
-std::span<const Complex> Recording::samples(int first_turn, int turns) const {
-  return std::span(displacement_m)
-      .subspan(static_cast<std::size_t>(first_turn) * samples_per_revolution,
-               static_cast<std::size_t>(turns) * samples_per_revolution);
-}
-
 Recording make_recording(const Channels& all, const Instrument& instrument, const std::string& name,
                          const FollowedTurns* followed) {
   if (instrument.sweep && !followed)

@@ -45,8 +45,14 @@ struct Recording {
 
   int turns() const { return static_cast<int>(turn_begin_s.size()) - 1; }
   double mean_speed_hz() const { return mean_speed_hz(0, turns()); }
-  double mean_speed_hz(int first_turn, int turns) const;
-  std::span<const std::complex<double>> samples(int first_turn, int turns) const;
+  double mean_speed_hz(int first_turn, int turns) const {
+    const double* begin_s = turn_begin_s.data() + first_turn;
+    return turns / (begin_s[turns] - begin_s[0]);
+  }
+  std::span<const std::complex<double>> samples(int first_turn, int turns) const {
+    const auto count = [](int any) { return static_cast<std::size_t>(any) * samples_per_revolution; };
+    return std::span(displacement_m).subspan(count(first_turn), count(turns));
+  }
 };
 
 /// Makes a recording from the columns and the instrument's description, and subtracts the run-out of the

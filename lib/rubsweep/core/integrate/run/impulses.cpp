@@ -7,7 +7,6 @@
 #include "rubsweep/core/numerics/full_turn.hpp"
 
 namespace rubsweep::integrate::run {
-
 namespace {
 
 const double last_phase = std::nextafter(numerics::full_turn, 0.0);

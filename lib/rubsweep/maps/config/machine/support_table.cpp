@@ -240,8 +240,10 @@ void resolve_tables(yaml::Node& root, yaml::Diagnostics& diagnostics) {
 
 std::optional<model::SupportTable> read_support_table(const yaml::Value& value) {
   yaml::Section section(value, table_forms);
-  if (!section.is_map() || section.find("file"))
-    return std::nullopt;  // the file could not be read, which was reported
+  if (!section.is_map() || section.find("file")) {
+    section.allow_unknown_keys();  // the file could not be read, which was reported
+    return std::nullopt;
+  }
   model::SupportTable table;
   const auto speeds = find_speeds(section);
   if (speeds) table.speed_hz = read_speeds(*speeds);

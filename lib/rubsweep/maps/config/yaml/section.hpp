@@ -95,8 +95,7 @@ class Section {
   /// Index of the given word in `kinds`; the key must be given.
   std::optional<std::size_t> require_kind(std::string_view name, std::span<const std::string_view> kinds);
 
-  /// Refuses every key that was never looked for. Call it after the last key where the keys are then checked
-  /// together; otherwise the end of the section does it.
+  /// Refuses every key that was never looked for, as the end of a section does unless all keys are allowed.
   void refuse_unknown_keys();
   void allow_unknown_keys() { refuses_unknown_ = false; }
 

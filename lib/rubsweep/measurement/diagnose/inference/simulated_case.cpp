@@ -12,7 +12,6 @@
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose::inference {
-
 namespace {
 
 /// Rub of a candidate's machine; empty where it does not rub.
@@ -41,13 +40,6 @@ bool survives(const Candidate& asked, const Point& values, const LastingMotion& 
 double quiet_whirl(double speed, double natural_frequency) {
   const double squared = std::pow(speed / natural_frequency, 2);
   return natural_frequency > 0 ? squared / std::max(std::abs(1 - squared), 0.05) : 1;
-}
-
-/// Whether the kick acts again at a further speed: in every second case.
-bool is_kicked_again(const DiagnosisProblem& problem, const Point& unit, std::size_t stretch) {
-  RandomStream random(problem.seed, std::bit_cast<std::uint64_t>(unit.front()) + stretch,
-                      DrawPurpose::of_further_start);
-  return random.uniform() < 0.5;
 }
 
 }  // namespace
@@ -104,8 +96,11 @@ std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std:
     return std::nullopt;
   }
   for (std::size_t k = 0; k < problem.further_speeds_hz.size(); ++k) {
-    auto motion = run_again(problem, simulated, problem.further_speeds_hz[k], problem.turns,
-                            is_kicked_again(problem, unit, k), workspace);
+    RandomStream random(problem.seed, std::bit_cast<std::uint64_t>(unit.front()) + k,
+                        DrawPurpose::of_further_start);
+    const bool kicked = random.uniform() < 0.5;
+    auto motion =
+        run_again(problem, simulated, problem.further_speeds_hz[k], problem.turns, kicked, workspace);
     if (!motion) return std::nullopt;
     simulated.further.push_back(std::move(motion->lines));
   }
