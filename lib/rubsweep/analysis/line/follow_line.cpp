@@ -144,7 +144,8 @@ std::optional<SettledMotion> settled_motion(const scene::Cell& cell, const respo
   };
   const auto record = response::motion::record_settled(scene, study.solver, workspace.modes, wanted);
   if (!record) return std::nullopt;
-  const auto samples = static_cast<std::size_t>(spectrum_turns * study.response.samples_per_revolution);
+  const auto samples = static_cast<std::size_t>(spectrum_turns) *
+                       static_cast<std::size_t>(study.response.samples_per_revolution);
   motion.spectrum = response::spectrum::full_spectrum(std::span(displacement_m).last(samples), spectrum_turns,
                                                       workspace.spectrum);
   motion.section.erase(motion.section.begin(), motion.section.end() - section_turns);

@@ -103,8 +103,7 @@ keys::Form run_output_form() {
 
 std::filesystem::path read_output(const yaml::Value& value) {
   yaml::Section section(value);
-  const std::filesystem::path directory = read_directory(section);
-  return directory;
+  return read_directory(section);
 }
 
 void print_output(yaml::Printer& printer, const std::filesystem::path& directory) {
@@ -146,6 +145,7 @@ void read_captions(yaml::Section& root, batch::Captions& captions) {
 
 std::vector<keys::Key> caption_keys() {
   std::vector<keys::Key> keys;
+  keys.reserve(std::size(captions_there_are));
   for (const Caption& caption : captions_there_are)
     keys.push_back(keys::may(std::string(caption.name), keys::text(caption.longest),
                              std::string(caption.meaning), "(none)"));

@@ -68,8 +68,8 @@ struct Measuring {
 
 /// Lines of a motion as an instrument measures them, with random run-out and lines of other origin, a small
 /// free vibration, probe gains, and noise. The direction of a single probe is drawn as well, unless it is
-/// known, and returned in `probe_angle_rad`, from +x to +y. Shares are those of the motion's size or, if it
-/// is larger, of `usual_size_m`: run-out and noise do not shrink with the motion.
+/// known, and returned in `probe_angle_rad`, from +x to +y. Shares are those of the motion's size, or
+/// of `usual_size_m` if that is larger: run-out does not shrink with the motion.
 MotionLines observed(const MotionLines& motion, const Measuring& measuring, RandomStream& random,
                      double& probe_angle_rad, double usual_size_m = 0);
 

@@ -13,8 +13,7 @@ enum DrawPurpose : std::uint64_t {
   of_kit,
   of_mean,
   of_half,
-  of_further_start,
-  of_further_cause
+  of_further_speed
 };
 
 /// Random numbers that depend on three numbers alone: a seed, the index of the drawn object, and the purpose,

@@ -22,9 +22,9 @@ using recording::Recording;
 /// Lines by which the order of a fixed frequency near 1X moves in a stretch, from the speeds of its halves.
 double moved_lines(const Recording& recording, const Stretch& stretch) {
   const int half = stretch.turns / 2;
-  const double first_hz = recording.mean_speed_hz(stretch.first_turn, half),
-               second_hz = recording.mean_speed_hz(stretch.first_turn + half, half);
-  return std::abs(std::log(second_hz / first_hz)) / half * stretch.turns * stretch.turns;
+  const double ratio = recording.mean_speed_hz(stretch.first_turn + half, half) /
+                       recording.mean_speed_hz(stretch.first_turn, half);
+  return std::abs(std::log(ratio)) / half * stretch.turns * stretch.turns;
 }
 
 /// Whether both halves of a stretch have similar sizes.
@@ -47,14 +47,20 @@ std::vector<Stretch> steady_stretches(const Recording& recording, int turns) {
   return stretches;
 }
 
-/// Share of the energy off +-1X, less in motions that are much smaller than `usual_m`: there it may be noise.
-double seen_off_1x(const Recording& recording, const Stretch& stretch, double usual_m) {
+/// Share of the energy off +-1X in both halves, as in a motion that lasts. It counts less in motions that are
+/// much smaller than `usual_m`: there it may be noise.
+double lasting_off_1x(const Recording& recording, const Stretch& stretch, double usual_m) {
   constexpr int line_bins = 2;
-  const diagnose::MotionLines lines = lines_of(recording, stretch);
-  const diagnose::features::HannEnergy energy(lines, recording.plane);
-  const double size_m = size_of(lines);
-  return (1 - energy.near(1, line_bins) - energy.near(-1, line_bins)) * size_m * size_m /
-         (size_m * size_m + usual_m * usual_m);
+  double least = 1;
+  for (const int half : {0, 1}) {
+    const int turns = stretch.turns / 2;
+    const auto lines = lines_of(recording, {stretch.first_turn + half * turns, turns, stretch.speed_hz});
+    const diagnose::features::HannEnergy energy(lines, recording.plane);
+    const double squared = std::pow(size_of(lines), 2),
+                 share = 1 - energy.near(1, line_bins) - energy.near(-1, line_bins);
+    least = std::min(least, share * squared / (squared + usual_m * usual_m));
+  }
+  return least;
 }
 
 /// The motion without the linear growth of its mean and of its lines at +-1X, by least squares: in a run-up
@@ -87,16 +93,15 @@ std::vector<Stretch> compared_stretches(const Recording& recording, const std::s
     if (static_cast<double>(stretches.size()) * turns / 2 >= most_covered * (all - turns)) break;
   }
   if (stretches.empty())
-    throw ConfigError(
-        fmt::format("{}: the speed changes by 5 % or more in {} turns, allowed: a steady one, a "
-                    "slower run-up, or from_s and to_s",
-                    name, fewest_turns));
+    throw ConfigError(fmt::format(
+        "{}: the speed changes by 5 % or more in {} turns, allowed: a slower run-up, or from_s and to_s",
+        name, fewest_turns));
   const auto steady = [&](const Stretch& stretch) { return keeps_its_size(recording, stretch); };
   if (std::ranges::any_of(stretches, steady))
     std::erase_if(stretches, [&](const Stretch& stretch) { return !steady(stretch); });
   const double usual_m = diagnose::size_of(recording.samples(0, all));
   std::vector<Stretch> taken{*std::ranges::max_element(
-      stretches, {}, [&](const Stretch& stretch) { return seen_off_1x(recording, stretch, usual_m); })};
+      stretches, {}, [&](const Stretch& stretch) { return lasting_off_1x(recording, stretch, usual_m); })};
   const auto apart = [&](const Stretch& stretch) {
     return std::ranges::min(taken | std::views::transform([&](const Stretch& other) {
                               return std::abs(std::log(stretch.speed_hz / other.speed_hz));

@@ -18,11 +18,11 @@ struct Stretch {
 };
 
 /// Stretches to compare, all of the same number of turns, the first one being the most important. Of a steady
-/// recording these are its last turns. Of a run-up or coast-down it is the stretch with the largest share of
-/// energy off +-1X, and up to two others whose speeds differ the most from those taken before. A stretch has
-/// so many turns that the order of a fixed frequency near 1X moves by no more than 0.6 lines, and its two
-/// halves have similar sizes, if there are such stretches. Throws ConfigError with `name` for fewer turns
-/// than fewest_turns, and where the speed changes faster.
+/// recording these are its last turns. Of a run-up or coast-down it is the stretch with the largest lasting
+/// share of energy off +-1X, and up to two others whose speeds differ the most from those taken before. A
+/// stretch has so many turns that the order of a fixed frequency near 1X moves by no more than 0.6 lines, and
+/// its two halves have similar sizes, if there are such stretches. Throws ConfigError with `name` for fewer
+/// turns than fewest_turns, and where the speed changes faster.
 std::vector<Stretch> compared_stretches(const recording::Recording& recording, const std::string& name);
 
 /// Lines of a stretch, up to the largest order that its readings show. If the speed of the recording changes,

@@ -162,8 +162,7 @@ AxisValues read_axis(const yaml::Value& value, const model::Range& range, double
     return {std::vector<double>(1, *number / units_per_si), std::nullopt};
   }
   yaml::Section section(value, axis_forms);
-  AxisValues result = read_axis_values(section, range, units_per_si);
-  return result;
+  return read_axis_values(section, range, units_per_si);
 }
 
 std::vector<keys::Key> spaced_keys(const model::Range& range) {

@@ -98,7 +98,7 @@ Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::s
     const MotionLines seen = diagnose::observed(up_to(lines, seen_order(problem.measuring)),
                                                 problem.measuring, random, observation.probe_angle_rad);
     observation.seen = features::describe(seen, view_of(problem.measuring), workspace);
-    RandomStream elsewhere(problem.seed, k, DrawPurpose::of_further_cause);
+    RandomStream elsewhere(problem.seed, k, DrawPurpose::of_further_speed);
     for (std::size_t stretch = 0; stretch < problem.further_speeds_hz.size(); ++stretch)
       observe_further(problem, stretch, vibration_at_another_speed(lines, elsewhere, workspace),
                       size_of(lines), elsewhere, observation, workspace);

@@ -97,7 +97,7 @@ std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std:
   }
   for (std::size_t k = 0; k < problem.further_speeds_hz.size(); ++k) {
     RandomStream random(problem.seed, std::bit_cast<std::uint64_t>(unit.front()) + k,
-                        DrawPurpose::of_further_start);
+                        DrawPurpose::of_further_speed);
     const bool kicked = random.uniform() < 0.5;
     auto motion =
         run_again(problem, simulated, problem.further_speeds_hz[k], problem.turns, kicked, workspace);

@@ -56,15 +56,13 @@ double simulated_clearance_m(const Candidate& candidate);
 
 /// Simulates a candidate at a point of the unit cube. Empty where the machine does not rub (for no_rub: where
 /// it rubs), where it cannot be simulated, or where the penetration exceeds usual_penetration_ratio, which no
-/// machine survives. At a further speed the kick acts again in every second case; where the machine does not
-/// rub it whirls quietly.
+/// machine survives. At a further speed the kick acts again in every second case.
 std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std::size_t candidate,
                                            const Point& unit,
                                            response::spectrum::SpectrumWorkspace& workspace);
 
-/// Motion of a case's machine at another speed or over more turns: its rub, or its quiet whirl where it does
-/// not rub. `kicked`: whether the kick acts again. Empty where neither can be simulated, and where it rubs
-/// too deep.
+/// Motion of a case's machine at another speed or over more turns: its rub, or else its quiet whirl.
+/// `kicked`: whether the kick acts again. Empty where it cannot be simulated or rubs too deep.
 std::optional<LastingMotion> run_again(const DiagnosisProblem& problem, const SimulatedCase& one,
                                        double speed_hz, int turns, bool kicked,
                                        response::spectrum::SpectrumWorkspace& workspace);
@@ -79,8 +77,7 @@ struct ObservedCase {
   features::DescribedMotion seen{};
   double probe_angle_rad = 0;  ///< angle of a single probe from the stop's direction
 };
-/// Adds a further stretch of a run-up with these lines as the same instrument measures it. `usual_size_m`: as
-/// in diagnose::observed, the size of the motion at the first speed.
+/// Adds a further stretch with these lines as the instrument measures it; `usual_size_m` as in observed.
 void observe_further(const DiagnosisProblem& problem, std::size_t stretch, const MotionLines& lines,
                      double usual_size_m, RandomStream& random, ObservedCase& observation,
                      response::spectrum::SpectrumWorkspace& workspace);
