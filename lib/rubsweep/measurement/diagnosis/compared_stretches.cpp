@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 #include <span>
 
 #include "rubsweep/core/error.hpp"
@@ -103,9 +102,10 @@ std::vector<Stretch> compared_stretches(const Recording& recording, const std::s
   std::vector<Stretch> taken{*std::ranges::max_element(
       stretches, {}, [&](const Stretch& stretch) { return lasting_off_1x(recording, stretch, usual_m); })};
   const auto apart = [&](const Stretch& stretch) {
-    return std::ranges::min(taken | std::views::transform([&](const Stretch& other) {
-                              return std::abs(std::log(stretch.speed_hz / other.speed_hz));
-                            }));
+    const auto from = [&](const Stretch& other) {
+      return std::abs(std::log(stretch.speed_hz / other.speed_hz));
+    };
+    return from(std::ranges::min(taken, {}, from));
   };
   while (taken.size() < most_stretches) {
     const Stretch& farthest = *std::ranges::max_element(stretches, {}, apart);
