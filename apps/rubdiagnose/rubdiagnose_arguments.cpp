@@ -62,8 +62,7 @@ std::string rubdiagnose_help() {
       "  orbits.csv         the recording and the closest simulated motion\n"
       "  lines.csv          lines of both\n\n"
       "The rotor is a Jeffcott rotor or a rotor kit. It runs steadily, up or down. Ctrl-C gives the answer "
-      "of the "
-      "motions simulated so far.\n\n"
+      "of the motions simulated so far.\n\n"
       "Exit codes: 0 done; 1 usage; 2 a recording, machine or list that cannot be used; 3 input/output; "
       "128+signal when interrupted.\n",
       text_of(visible_options()));

@@ -9,8 +9,8 @@ the errors of a fit. Four machines run at one speed each, a fifth at half its cr
 rubdiagnose simulates serve many recordings. A rub has 3 % or more of its energy off +-1X and goes less deep than half
 its clearance.
 --misaligned: the rubbing rotors are misaligned, too, so that two causes act at once.
---run-up: the speed changes from 0.8 to 1.25 times that of the machine, or back, in 360 turns; a rub has 3 % off +-1X
-in one of fifteen parts.
+--run-up: the speed changes from 0.8 to 1.25 times that of the machine, or back, in 360 turns; a rub lasts: it has 3 %
+off +-1X in four parts of twelve turns in a row, and touches for 2 % of the time.
 Needs NumPy. The same arguments give the same bytes on one computer.
 """
 
@@ -27,7 +27,7 @@ MACHINES, RECORDED, SETTLING, EVERY = 5, 40, 160, 8
 RUNS_A_RUB = 9  # runs of a rub beside one of another cause: nine in ten do not touch, or rub synchronously
 MOST_ROUNDS = 10  # for each recording that is asked for: machines that never rub end, too
 BATCH = 400
-SLOWEST, FASTEST, RUN_UP, RUN_UP_SETTLING, PARTS = 0.8, 1.25, 360, 120, 15  # of a run-up
+SLOWEST, FASTEST, RUN_UP, RUN_UP_SETTLING, PARTS, LASTING = 0.8, 1.25, 360, 120, 30, 4  # of a run-up
 
 
 def uniform(random, low, high, count):
@@ -58,7 +58,7 @@ def draw_machines(random):
     return machines
 
 
-def draw(random, machines, machine, cause, misaligned, run_up):
+def draw(random, machines, machine, cause, misaligned, run_up=False):
     """Numbers of one run for each entry of `machine` and `cause`; `misaligned`: rubs have this cause beside them;
     `run_up`: the speed runs up or down."""
     n = len(cause)
@@ -142,9 +142,10 @@ def disturbed(cause, z, angle, t, random):
     return out
 
 
-def most_off_1x(z, angle):
-    """The largest of these shares in the parts of a run-up."""
-    return max(off_1x(*part, growing=True) for part in zip(np.array_split(z, PARTS), np.array_split(angle, PARTS)))
+def lasting_off_1x(z, angle):
+    """The largest share that LASTING parts of a run-up in a row have or exceed."""
+    shares = [off_1x(*part, growing=True) for part in zip(np.array_split(z, PARTS), np.array_split(angle, PARTS))]
+    return max(min(shares[k:k + LASTING]) for k in range(PARTS - LASTING + 1))
 
 
 def write(stem, cause, z, angle, sampling_hz, probes, random):
@@ -207,8 +208,9 @@ def main(directory, count, seed, misaligned, run_up):
                 z, kind = seen[i] * p["clearance_m"][i], "rub" if cause in RUBS else "other"
                 if not np.isfinite(z).all() or kept[kind] >= count:
                     continue
-                off = (most_off_1x if run_up else off_1x)(z, angles[i])
-                if kind == "rub" and not (0 < deepest[i] < 0.5 and off >= 0.03):
+                off = (lasting_off_1x if run_up else off_1x)(z, angles[i])
+                least_touched = 0.02 if run_up else 0
+                if kind == "rub" and not (0 < deepest[i] < 0.5 and off >= 0.03 and touched[i] >= least_touched):
                     continue
                 number, probes = sum(kept.values()), 1 if random.random() < 0.25 else 2
                 kept[kind] += 1

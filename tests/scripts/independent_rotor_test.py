@@ -8,12 +8,12 @@ if importlib.util.find_spec("numpy"):  # Debian: python3-numpy
     from independent_rotor import Rotors
 
 
-def drawn(causes, **numbers):
+def drawn(causes, run_up=False, **numbers):
     """Runs of these causes at twice the first natural frequency of 30 Hz, without wandering speed or kick."""
     random = np.random.default_rng(3)
     machines = recordings.draw_machines(random)
     machines["frequency_hz"][:], machines["speed_ratio"][:], machines["unequal"][:] = 30, 2, 0
-    p = recordings.draw(random, machines, np.zeros(len(causes), int), causes, False)
+    p = recordings.draw(random, machines, np.zeros(len(causes), int), causes, False, run_up)
     p["wander"][:] = 0
     p["kick"] = np.zeros(len(causes))
     for name, value in numbers.items():
@@ -32,6 +32,21 @@ class IndependentRotor(unittest.TestCase):
         error = np.abs(seen - whirl[:, None] * np.exp(1j * angles)).max(1) / np.abs(whirl)
         self.assertLess(error.max(), 1e-4)
         self.assertEqual(deepest.max(), 0)
+
+    def test_a_run_up_turns_and_whirls_as_its_speed_says(self):
+        turns = 4
+        p, random = drawn(["no_rub"] * 8, run_up=True)
+        seen, angles, _, _ = Rotors(p, random).run(1, turns, 64)
+        first, last = p["speeds"]
+        self.assertEqual(set(first), {recordings.SLOWEST, recordings.FASTEST})
+        # It begins with the whirl of the first speed, and turns by the mean of both.
+        w, natural = 2 * np.pi * p["speed_hz"] * first, p["angular"]
+        gain = w**2 / (natural**2 - w**2 + 2j * p["damping"] * natural * w)
+        whirl = (p["at_probe"] * p["unbalance"] * gain).sum(0) * np.exp(1j * angles[:, 0])
+        self.assertLess((np.abs(seen[:, 0] - whirl) / np.abs(whirl)).max(), 1e-4)
+        recorded = turns - 64 / 1024
+        expected = recorded * (first + (last - first) * recorded / turns / 2)
+        self.assertLess(np.abs((angles[:, -1] - angles[:, 0]) / (2 * np.pi) / expected - 1).max(), 1e-3)
 
     def test_a_rub_without_losses_keeps_its_energy(self):
         # One mode: without the second one in stop and probe, the place of the probe is that mode.
@@ -53,6 +68,19 @@ class IndependentRotor(unittest.TestCase):
         angle = np.linspace(0, 20 * np.pi, 2000, endpoint=False)
         z = np.exp(1j * angle) + 0.5 * np.exp(-1j * angle) + 0.5 * np.exp(0.5j * angle)
         self.assertAlmostEqual(recordings.off_1x(z, angle), 0.25 / 1.5, places=9)
+
+    def test_growth_at_1x_is_not_off_1x(self):
+        angle = np.linspace(0, 20 * np.pi, 2000, endpoint=False)
+        z = (1 + angle / 100) * np.exp(1j * angle)
+        self.assertGreater(recordings.off_1x(z, angle), 1e-3)
+        self.assertLess(recordings.off_1x(z, angle, growing=True), 1e-20)
+
+    def test_what_lasts_is_off_1x_in_parts_in_a_row(self):
+        angle = np.linspace(0, 720 * np.pi, 36000, endpoint=False)
+        for turns, lasts in ((24, False), (72, True)):
+            half = np.where(np.abs(angle / (2 * np.pi) - 180) < turns / 2, 0.5, 0)
+            z = np.exp(1j * angle) + half * np.exp(0.5j * angle)
+            self.assertEqual(recordings.lasting_off_1x(z, angle) > 0.03, lasts)
 
 
 if __name__ == "__main__":

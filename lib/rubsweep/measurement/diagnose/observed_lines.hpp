@@ -55,8 +55,8 @@ struct Measuring {
   bool directions = false;     ///< Whether the machine is anisotropic and probe directions are known.
   double probe_angle_rad = 0;  ///< direction of a single probe where it is known, from +x to +y
   bool from_rest = false;      ///< whether readings are measured from the rest position of the rotor
-  Spread noise_share{1e-3, 3e-2,
-                     true};      ///< white noise of every reading, standard deviation / size of the motion
+  /// white noise of every reading, standard deviation / size of the motion
+  Spread noise_share{1e-3, 3e-2, true};
   OtherLines other_lines{};      ///< run-out and the like: lines at 1X, 2X, 3X
   double gain_error = 0.02;      ///< standard deviation of each probe's gain about 1
   double free_vibration = 0.01;  ///< largest amplitude of a free vibration / size of the motion

@@ -40,7 +40,7 @@ std::vector<Stretch> steady_stretches(const Recording& recording, int turns) {
   constexpr double most_moved_lines = 0.6;
   std::vector<Stretch> stretches;
   for (int first = 0; first + turns <= recording.turns(); first += turns / 2) {
-    const Stretch stretch{first, turns, recording.mean_speed_hz(first, turns)};
+    const Stretch stretch{first, turns, recording.mean_speed_hz(first, turns), true};
     if (moved_lines(recording, stretch) <= most_moved_lines) stretches.push_back(stretch);
   }
   return stretches;
@@ -51,9 +51,9 @@ std::vector<Stretch> steady_stretches(const Recording& recording, int turns) {
 double lasting_off_1x(const Recording& recording, const Stretch& stretch, double usual_m) {
   constexpr int line_bins = 2;
   double least = 1;
-  for (const int half : {0, 1}) {
-    const int turns = stretch.turns / 2;
-    const auto lines = lines_of(recording, {stretch.first_turn + half * turns, turns, stretch.speed_hz});
+  for (const int k : {0, 1}) {
+    const int half = stretch.turns / 2;
+    const auto lines = lines_of(recording, {stretch.first_turn + k * half, half, stretch.speed_hz, true});
     const diagnose::features::HannEnergy energy(lines, recording.plane);
     const double squared = std::pow(size_of(lines), 2),
                  share = 1 - energy.near(1, line_bins) - energy.near(-1, line_bins);
@@ -120,7 +120,7 @@ diagnose::MotionLines lines_of(const Recording& recording, const Stretch& stretc
   const double order =
       diagnose::inference::seen_order({.readings_per_turn = recording.sampling_rate_hz / stretch.speed_hz});
   const std::span<const std::complex<double>> samples = recording.samples(stretch.first_turn, stretch.turns);
-  if (!scope::speed_changes(recording)) return diagnose::lines_of(samples, stretch.turns, order, workspace);
+  if (!stretch.of_run_up) return diagnose::lines_of(samples, stretch.turns, order, workspace);
   const Eigen::VectorXcd steady = without_growth(samples, stretch.turns);
   return diagnose::lines_of(std::span(steady.data(), samples.size()), stretch.turns, order, workspace);
 }

@@ -15,6 +15,7 @@ inline constexpr int most_turns = 30, fewest_turns = 12;
 struct Stretch {
   int first_turn = 0, turns = 0;
   double speed_hz = 0;
+  bool of_run_up = false;  ///< whether the speed of the recording changes
 };
 
 /// Stretches to compare, all of the same number of turns, the first one being the most important. Of a steady
@@ -25,7 +26,7 @@ struct Stretch {
 /// turns than fewest_turns, and where the speed changes faster.
 std::vector<Stretch> compared_stretches(const recording::Recording& recording, const std::string& name);
 
-/// Lines of a stretch, up to the largest order that its readings show. If the speed of the recording changes,
+/// Lines of a stretch, up to the largest order that its readings show. In a run-up
 /// the linear growth of the mean and of the lines at +-1X is subtracted first.
 diagnose::MotionLines lines_of(const recording::Recording& recording, const Stretch& stretch);
 

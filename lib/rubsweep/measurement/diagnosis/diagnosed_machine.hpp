@@ -15,11 +15,10 @@ namespace rubsweep::diagnosis {
 struct DiagnosedMachine {
   diagnose::FixedNumbers fixed{};
   diagnose::Spread natural_frequency_hz{}, damping_ratio{};  ///< intervals of a Jeffcott rotor
-  /// sources of intervals that do not come from the configuration
-  std::optional<diagnose::Spread> eccentricity_m{};
-  std::vector<std::string> remarks{};   ///< sources of intervals other than the file
-  std::string text{};                   ///< text of all files as they were read
-  std::vector<model::RotorKit> kits{};  ///< rotor kits whose unknown numbers were drawn
+  std::optional<diagnose::Spread> eccentricity_m{};          ///< of the unbalance, if the files tell it
+  std::vector<std::string> remarks{};                        ///< sources of intervals other than the file
+  std::string text{};                                        ///< text of all files as they were read
+  std::vector<model::RotorKit> kits{};                       ///< rotor kits whose unknown numbers were drawn
 };
 
 /// Reads the configuration of a machine, and the intervals in parameters.csv and correlation.csv that rubfit

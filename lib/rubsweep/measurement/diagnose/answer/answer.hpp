@@ -33,7 +33,7 @@ struct CandidateAnswer {
   Cause cause = Cause::no_rub;
   double probability = 0;  ///< probability, with "none of these" among the alternatives
   std::vector<NumberInterval>
-      numbers{};  ///< parameters if this is the cause; empty for no_rub, or if no case is similar
+      numbers{};  ///< if this is the cause; empty for no_rub, or if no case is similar
   std::optional<double> standard_error{};  ///< empty where a probe is clipped
 };
 

@@ -40,20 +40,20 @@ std::string head_of(const std::string& digest, std::string_view body) {
 }
 
 /// Calls `pass` with each number of a case, in the order of the file.
-void visit_numbers(auto& one, auto&& pass) {
-  const auto visit_lines = [&](auto& lines) {
-    auto* numbers = reinterpret_cast<double*>(const_cast<std::complex<double>*>(lines.amplitude.data()));
+void visit_numbers(SimulatedCase& one, auto&& pass) {
+  const auto visit_lines = [&](MotionLines& lines) {
+    auto* numbers = reinterpret_cast<double*>(lines.amplitude.data());
     for (Eigen::Index k = 0; k < 2 * lines.amplitude.size(); ++k) pass(numbers[k]);
   };
-  auto& facts = one.motion.contact;
+  response::motion::ContactFacts& facts = one.motion.contact;
   pass(one.candidate);
-  for (auto& place : one.unit) pass(place);
+  for (double& place : one.unit) pass(place);
   pass(facts.hits);
-  for (auto* number : {&facts.contact_fraction, &facts.peak_displacement_m, &facts.peak_contact_force_n,
-                       &facts.peak_casing_displacement_m, &one.motion.eccentricity_m})
+  for (double* number : {&facts.contact_fraction, &facts.peak_displacement_m, &facts.peak_contact_force_n,
+                         &facts.peak_casing_displacement_m, &one.motion.eccentricity_m})
     pass(*number);
   visit_lines(one.motion.lines);
-  for (auto& lines : one.further) visit_lines(lines);
+  for (MotionLines& lines : one.further) visit_lines(lines);
 }
 
 /// A case whose numbers are not read yet.
@@ -93,7 +93,7 @@ std::string cases_digest(const DiagnosisProblem& problem, const CaseOptions& opt
 void keep_cases(const std::filesystem::path& directory, const std::string& digest, const CaseSet& set) {
   std::string body;
   put(body, static_cast<std::uint64_t>(set.cases.size()));
-  for (const SimulatedCase& one : set.cases) visit_numbers(one, [&](auto number) { put(body, number); });
+  for (SimulatedCase one : set.cases) visit_numbers(one, [&](auto number) { put(body, number); });
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw IoError(fmt::format("{}: {}", directory.string(), error.message()));

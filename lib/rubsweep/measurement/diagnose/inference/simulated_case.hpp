@@ -19,10 +19,9 @@ struct DiagnosisProblem {
   std::vector<Candidate> candidates{};  ///< candidates; their natural frequency and damping are the machine's
   std::vector<double> prior{};  ///< probability of each candidate if one of them is the cause; the sum is 1
   FixedNumbers fixed{};
-  std::optional<Spread>
-      eccentricity_m{};  ///< eccentricity of the unbalance, > 0, logarithmic; empty: not known
-  double speed_hz = 0;   ///< speed of the shaft
-  int turns = 0;         ///< turns of the shaft in the recording
+  std::optional<Spread> eccentricity_m{};  ///< of the unbalance, > 0, logarithmic; empty: not known
+  double speed_hz = 0;                     ///< speed of the shaft
+  int turns = 0;                           ///< turns of the shaft in the recording
   Measuring measuring{};
   std::uint64_t seed = 1;
   /// Speeds of further stretches of a run-up, as many turns each. The machine and its unbalance are the same.
